@@ -1,12 +1,10 @@
 #include "acquisition/bundle/write_test_bundle.hpp"
 
 #include "acquisition/foundation/model_units.hpp"
-#include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/units.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include <system_error>
 
 namespace tapfit::acquisition {
 namespace {
@@ -178,12 +176,6 @@ std::string test_bundle_text(const TestBundle& bundle, const fs::path& folder) {
   }
   add_settings(bundle, document);
   return document.dump(1) + '\n';
-}
-
-void write_test_bundle(const TestBundle& bundle, const fs::path& folder) {
-  std::error_code told_by_writing;
-  fs::create_directories(folder, told_by_writing);
-  write_file(folder / "test.json", test_bundle_text(bundle, folder));
 }
 
 }  // namespace tapfit::acquisition

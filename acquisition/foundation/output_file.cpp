@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
@@ -38,11 +41,14 @@ bool may_be_written(const fs::path& there) {
   return ::access(there.c_str(), W_OK) == 0;
 }
 
-fs::path behind_links(const fs::path& target) {
+// Also where the file is not there that a link names.
+fs::path behind_links(fs::path target) {
+  constexpr int most = 40;  // as the system follows before it tells of a loop
   std::error_code fault;
-  if (!fs::is_symlink(target, fault)) return target;
-  const fs::path whole = fs::weakly_canonical(target, fault);
-  return fault ? target : whole;
+  for (int k = 0; k < most && fs::is_symlink(target, fault); ++k) {
+    target = target.parent_path() / fs::read_symlink(target, fault);
+  }
+  return target;
 }
 
 // A new file has the rights of the one that it replaces.
@@ -52,13 +58,40 @@ void take_over_rights(const fs::path& from, const fs::path& to) {
   if (!fault && fs::exists(from, fault)) fs::permissions(to, rights, fault);
 }
 
+bool rename_to_free(const fs::path& file, const fs::path& place) {
+  return ::renameat2(AT_FDCWD,
+                     file.c_str(),
+                     AT_FDCWD,
+                     place.c_str(),
+                     RENAME_NOREPLACE) == 0;
+}
+
+// Where nothing may be replaced the system looks and renames as one; on file
+// systems that cannot, the last look was just before.
+void put_in_place(const fs::path& file,
+                  const fs::path& place,
+                  const OutputRule& rule) {
+  rule.check(place);
+  if (!rule.force) {
+    if (rename_to_free(file, place)) return;
+    if (errno != EINVAL && errno != ENOSYS) throw unwritable(place);
+  }
+  take_over_rights(place, file);
+  std::error_code fault;
+  fs::rename(file, place, fault);
+  if (fault) throw unwritable(place);
+}
+
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& target) : target_(behind_links(target)) {
+OutputFile::OutputFile(const fs::path& target, OutputRule rule)
+    : target_(behind_links(target)), rule_(std::move(rule)) {
+  rule_.check(target);
   std::error_code fault;
   const fs::file_status there = fs::status(target_, fault);
   const bool exists = fs::exists(there);
-  if (fs::is_directory(there) || (exists && !may_be_written(target_))) {
+  if (!fs::status_known(there) || fs::is_directory(there) ||
+      (exists && !may_be_written(target_))) {
     throw unwritable(target);
   }
   const bool direct = exists && !fs::is_regular_file(there);
@@ -84,10 +117,7 @@ void OutputFile::finish() {
 void OutputFile::commit() {
   finish();
   if (unfinished_.empty()) return;
-  take_over_rights(target_, unfinished_);
-  std::error_code fault;
-  fs::rename(unfinished_, target_, fault);
-  if (fault) throw unwritable(target_);
+  put_in_place(unfinished_, target_, rule_);
   unfinished_.clear();
 }
 
@@ -137,10 +167,7 @@ void OutputFolder::commit() {
     return;
   }
   for (const fs::path& file : files) {
-    const fs::path place = target_ / file.filename();
-    take_over_rights(place, file);
-    fs::rename(file, place, fault);
-    if (fault) throw unwritable(place);
+    put_in_place(file, target_ / file.filename(), rule_);
   }
 }
 
@@ -158,8 +185,10 @@ void check_in_folder(const OutputRule& rule,
   }
 }
 
-void write_file(const fs::path& target, std::string_view content) {
-  OutputFile file(target);
+void write_file(const fs::path& target,
+                std::string_view content,
+                const OutputRule& rule) {
+  OutputFile file(target, rule);
   file.stream() << content;
   file.commit();
 }
@@ -175,7 +204,7 @@ void write_files(const std::vector<FileContent>& files,
   }
   OutputFolder output(folder, rule);
   for (const FileContent& file : files) {
-    write_file(output.file(file.path.filename()), file.content);
+    write_file(output.file(file.path.filename()), file.content, {});
   }
   output.commit();
 }

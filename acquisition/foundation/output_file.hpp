@@ -15,11 +15,13 @@
 namespace tapfit::acquisition {
 
 /// One file. Links are followed; what is no regular file (a pipe, /dev/null)
-/// is written to as it is.
+/// is written to as it is. The rule is asked when it is opened and again before
+/// it takes its place: others may have come between.
 class OutputFile {
  public:
-  /// @throws InputError where nothing can be written
-  explicit OutputFile(const std::filesystem::path& target);
+  /// @throws InputError where the rule does not let it, or nothing can be
+  ///   written
+  OutputFile(const std::filesystem::path& target, OutputRule rule);
   /// Takes away what was not committed.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -34,11 +36,13 @@ class OutputFile {
   void finish();
 
   /// Finishes the file and puts it in its place; to be called once, at the end.
-  /// @throws InputError where something could not be written
+  /// @throws InputError where the rule does not let it any more, or something
+  ///   could not be written
   void commit();
 
  private:
   std::filesystem::path target_;
+  OutputRule rule_;
   std::filesystem::path unfinished_;  ///< empty: nothing to take away
   std::ofstream stream_;
 };
@@ -80,8 +84,10 @@ void check_in_folder(const OutputRule& rule,
                      const std::filesystem::path& name);
 
 /// A whole file at once.
-/// @throws InputError where it cannot be written
-void write_file(const std::filesystem::path& target, std::string_view content);
+/// @throws InputError where the rule does not let it, or it cannot be written
+void write_file(const std::filesystem::path& target,
+                std::string_view content,
+                const OutputRule& rule);
 
 /// A file and what it is to hold.
 struct FileContent {

@@ -46,16 +46,14 @@ void check_names_file(const fs::path& output) {
                    "make the folder, or name another");
 }
 
-// Neither a pipe nor a device is replaced by writing to it. A link is someone's
-// name for a file, whether that is there or not.
+}  // namespace
+
 bool would_be_replaced(const fs::path& output) {
   std::error_code fault;
   const fs::file_status there = fs::status(output, fault);
   const bool is_link = fs::is_symlink(fs::symlink_status(output, fault));
   return fs::is_regular_file(there) || (is_link && !fs::exists(there));
 }
-
-}  // namespace
 
 bool OutputRule::is_input(const fs::path& output) const {
   return std::ranges::any_of(inputs, [&output](const fs::path& input) {

@@ -9,6 +9,11 @@
 
 namespace tapfit::acquisition {
 
+/// Whether writing there would replace what is there: a file, or a link, which
+/// is someone's name for a file, whether that is there or not. Neither a pipe
+/// nor a device is replaced by writing to it.
+[[nodiscard]] bool would_be_replaced(const std::filesystem::path& output);
+
 struct OutputRule {
   /// What was read, and must never be written. Need not be there.
   std::vector<std::filesystem::path> inputs;

@@ -350,8 +350,8 @@ TestBundle import_recordings(const ImportOptions& options) {
     bundle.runs.push_back(
         bundle_run(options.files[r], options, options.folder / name));
   }
-  write_file(output.file("test.json"),
-             test_bundle_text(bundle, options.folder));
+  write_file(
+      output.file("test.json"), test_bundle_text(bundle, options.folder), {});
   // What no command could read is not put in its place.
   (void)read_test_bundle(output.file("test.json"));
   output.commit();

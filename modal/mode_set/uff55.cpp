@@ -162,9 +162,10 @@ std::string modes_as_uff(const ModeSet& modes,
 void write_modes_uff(const ModeSet& modes,
                      const std::string& title,
                      const std::filesystem::path& path,
+                     const acquisition::OutputRule& rule,
                      ModeDataset as,
                      const acquisition::UffGeometry& points) {
-  acquisition::OutputFile file(path);
+  acquisition::OutputFile file(path, rule);
   file.stream() << modes_as_uff(modes, title, as);
   write_geometry(points, acquisition::UffNodes::D2411, file.stream());
   file.commit();

@@ -6,6 +6,7 @@
 // Cincinnati.
 #pragma once
 
+#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/uff/uff_geometry.hpp"
 #include "modal/mode_set/mode_set.hpp"
 
@@ -25,10 +26,11 @@ enum class ModeDataset { Uff55, Uff2414 };
 
 /// Writes modes_as_uff to a file.
 /// @param points with their systems, behind the modes
-/// @throws InputError when the file cannot be written
+/// @throws InputError where the rule does not let it, or it cannot be written
 void write_modes_uff(const ModeSet& modes,
                      const std::string& title,
                      const std::filesystem::path& path,
+                     const acquisition::OutputRule& rule,
                      ModeDataset as = ModeDataset::Uff55,
                      const acquisition::UffGeometry& points = {});
 

@@ -15,6 +15,7 @@
 // of Cincinnati (www.sdrl.uc.edu/sdrl/referenceinfo/universalfileformats).
 #pragma once
 
+#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/uff/uff_geometry.hpp"
 #include "signal/frf_set/convert.hpp"
 #include "signal/frf_set/frf_set.hpp"
@@ -72,10 +73,11 @@ void write_frfs_uff(const FrfSet& set,
 /// As above, to a file.
 /// @param points with their systems, behind the FRFs: those of the test's own,
 ///   whose directions no grid's axes say
-/// @throws InputError when the file cannot be written
+/// @throws InputError where the rule does not let it, or it cannot be written
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
                     const std::filesystem::path& file,
+                    const acquisition::OutputRule& rule,
                     FrfForm form = FrfForm::Accelerance,
                     const acquisition::UffGeometry& points = {});
 

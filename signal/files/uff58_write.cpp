@@ -170,9 +170,10 @@ void write_frfs_uff(const FrfSet& set,
 void write_frfs_uff(const FrfSet& set,
                     const std::string& title,
                     const std::filesystem::path& file,
+                    const acquisition::OutputRule& rule,
                     FrfForm form,
                     const acquisition::UffGeometry& points) {
-  acquisition::OutputFile out(file);
+  acquisition::OutputFile out(file, rule);
   write_frfs_uff(set, title, out.stream(), form);
   write_geometry(points, acquisition::UffNodes::D2411, out.stream());
   out.commit();

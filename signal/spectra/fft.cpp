@@ -49,7 +49,7 @@ class Wisdom {
     std::error_code fault;
     fs::create_directories(file_.parent_path(), fault);
     try {
-      acquisition::write_file(file_, words());
+      acquisition::write_file(file_, words(), {{}, true});
     } catch (const InputError&) {
       // Where nothing can be written nothing is kept.
     }

@@ -67,6 +67,31 @@ TEST_F(OutputsOfATest, GoOverAnotherFileOnlyWhereThatIsAskedFor) {
   EXPECT_TRUE(parts_in(bundle_).empty());
 }
 
+// Somebody names a recording so while the hits are still replayed.
+TEST_F(OutputsOfATest, NeverGoOverWhatCameMeanwhile) {
+  const fs::path test = fresh_folder() / "played";
+  fs::copy(recorded(), test);
+  const std::string recording = read_file(test / "run-01.flac");
+  for (const char* comes : {"ln -s run-01.flac late.uff",
+                            "ln run-01.flac late.uff",
+                            "echo other > late.uff"}) {
+    fs::remove(test / "late.uff");
+    const int status = shell_status(fmt::format(
+        "cd '{}'; {{ %tapfit replay . --speed 100 --uff late.uff "
+        ">/dev/null 2>err.txt; echo $? >status; }} & "
+        "until grep -q ' N ' '{}'/err.txt 2>/dev/null; do sleep 0.02; done; "
+        "{}; wait; exit $(cat status)",
+        test.string(),
+        test.string(),
+        comes));
+    EXPECT_EQ(status, 1) << comes;
+    EXPECT_TRUE(holds(read_file(test / "err.txt"), "late.uff")) << comes;
+    EXPECT_EQ(read_file(test / "run-01.flac"), recording) << comes;
+  }
+  EXPECT_EQ(read_file(test / "late.uff"), "other\n");
+  EXPECT_TRUE(parts_in(test).empty());
+}
+
 TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
   const std::string measured = read_file(bundle_ / "measured.uff");
   const std::string seen = keys("7\nwait\nf\nwait\n");
@@ -82,6 +107,10 @@ TEST_F(OutputsOfATest, OfKeysGoBesideInputsAndAskOtherwise) {
   EXPECT_EQ(read_file(bundle_ / "report.html"), "older");
   EXPECT_TRUE(holds(keys("7\nwait\nw\ny\nwait\n"), "written: "));
   EXPECT_TRUE(holds(read_file(bundle_ / "report.html"), "</html>"));
+  fs::remove(bundle_ / "report.html");
+  fs::create_symlink("elsewhere.html", bundle_ / "report.html");
+  EXPECT_TRUE(
+      holds(keys("7\nwait\nw\n"), "report.html is there: y replaces it"));
 }
 
 TEST_F(OutputsOfATest, OfSimulateNeverReplaceAMeasuredTest) {

@@ -211,10 +211,12 @@ Job toggle_effect(std::size_t effect) {
 
 Job write_output(Output what,
                  const std::filesystem::path& to,
+                 bool replace,
                  const std::string& note) {
   return {"writing",
-          [what, to, note](Workbench& bench, Snapshot&, const Progress& p) {
-            bench.write(what, to, p);
+          [what, to, replace, note](
+              Workbench& bench, Snapshot&, const Progress& p) {
+            bench.write(what, to, replace, p);
             return note + "written: " + to.string();
           },
           std::nullopt};

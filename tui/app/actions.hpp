@@ -23,9 +23,11 @@ namespace tapfit::tui {
 [[nodiscard]] Job add_effects(const std::string& typed);
 /// Switches an added effect off or on, counted from 0.
 [[nodiscard]] Job toggle_effect(std::size_t effect);
+/// @param replace over a file that is there
 /// @param note what is told before where it was written
 [[nodiscard]] Job write_output(Output what,
                                const std::filesystem::path& to,
+                               bool replace,
                                const std::string& note = {});
 [[nodiscard]] Job undo();
 [[nodiscard]] Job redo();

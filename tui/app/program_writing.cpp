@@ -65,21 +65,22 @@ void Program::write(Output what, const std::string& named) {
   const auto input = std::ranges::find_if(
       files, [&rule](const auto& file) { return rule.is_input(file); });
   if (input != files.end()) {
-    return act(write_output(
-        what, free, shown_name(*input, to) + " is an input and stays; "));
+    return act(
+        write_output(what,
+                     free,
+                     false,
+                     shown_name(*input, to) + " is an input and stays; "));
   }
-  const auto there = std::ranges::find_if(files, [](const auto& file) {
-    std::error_code fault;
-    return std::filesystem::is_regular_file(file, fault);
-  });
-  if (there == files.end()) return act(write_output(what, to));
+  const auto there =
+      std::ranges::find_if(files, acquisition::would_be_replaced);
+  if (there == files.end()) return act(write_output(what, to, false));
   asked_to_replace_ = Replacement{what, to, free, shown_name(*there, to)};
 }
 
 void Program::answer_replacing(const Replacement& asked, Key key) {
-  if (key == U'y') return act(write_output(asked.what, asked.there));
+  if (key == U'y') return act(write_output(asked.what, asked.there, true));
   if (key == U'n' || key == keys::enter) {
-    return act(write_output(asked.what, asked.free));
+    return act(write_output(asked.what, asked.free, false));
   }
   tell("nothing written");
 }

@@ -59,7 +59,7 @@ void remember_bundle(const fs::path& bundle) {
   for (const fs::path& one : bundles) text += one.string() + "\n";
   try {
     fs::create_directories(file->parent_path(), fault);
-    acquisition::write_file(*file, text);
+    acquisition::write_file(*file, text, {{}, true});
   } catch (const InputError&) {
     return;  // a full disk or a folder of others: the list is no work of theirs
   }

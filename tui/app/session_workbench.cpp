@@ -113,12 +113,15 @@ class SessionWorkbench final : public Workbench {
   updating::HitActs hit_acts() override { return hit_acts_; }
   void write(Output what,
              const std::filesystem::path& to,
+             bool replace,
              const Progress& p) override;
   std::optional<updating::HitActs> catch_up(const Progress& p) override;
   Saving save(const updating::HitActs& acts, const Progress& p) override;
 
  private:
-  void write_report_to(const std::filesystem::path& path, const Progress& p);
+  void write_report_to(const std::filesystem::path& path,
+                       const acquisition::OutputRule& rule,
+                       const Progress& p);
 
   std::filesystem::path bundle_;
   updating::Session session_;
@@ -129,9 +132,8 @@ class SessionWorkbench final : public Workbench {
 // Where nothing was added, the report adds what the diagnosis supports: in a
 // session of its own, so that the user's stays as it is.
 void SessionWorkbench::write_report_to(const std::filesystem::path& path,
+                                       const acquisition::OutputRule& rule,
                                        const Progress& p) {
-  const acquisition::OutputRule rule =
-      updating::output_rule_of(session_.bundle(), true, {path});
   if (!session_.has_model() || !session_.effects().empty()) {
     return write_report(
         report_document(report_data(session_, bundle_, p)), path, rule);
@@ -143,15 +145,19 @@ void SessionWorkbench::write_report_to(const std::filesystem::path& path,
 
 void SessionWorkbench::write(Output what,
                              const std::filesystem::path& to,
+                             bool replace,
                              const Progress& p) {
-  updating::output_rule_of(session_.bundle(), true, {to}).check(to);
+  const acquisition::OutputRule rule =
+      updating::output_rule_of(session_.bundle(), replace, {to});
+  rule.check(to);
   if (what == Output::Report) {
-    write_report_to(to, p);
+    write_report_to(to, rule, p);
   } else if (what == Output::Uff) {
-    updating::write_measured_uff(session_, to, acquisition::UffNodes::D2411, p);
+    updating::write_measured_uff(
+        session_, to, rule, acquisition::UffNodes::D2411, p);
   } else {
     updating::check_has_deck(session_);
-    updating::write_updated_deck(session_, to, p);
+    updating::write_updated_deck(session_, to, rule, p);
   }
 }
 

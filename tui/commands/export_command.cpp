@@ -59,15 +59,17 @@ std::string export_command(const CommandOptions& options,
   }
   updating::Session session = open_bundle(options);
   if (options.deck) updating::check_has_deck(session);
+  const acquisition::OutputRule rule = output_rule(session.bundle(), options);
   std::vector<std::string> written;
   if (options.uff) {
     updating::write_measured_uff(
-        session, *options.uff, nodes_as(options), progress);
+        session, *options.uff, rule, nodes_as(options), progress);
     written.push_back(options.uff->string());
   }
   if (options.records) {
     updating::write_recorded_uff(session,
                                  *options.records,
+                                 rule,
                                  options.text_records
                                      ? acquisition::UffEncoding::Text
                                      : acquisition::UffEncoding::Binary,
@@ -77,16 +79,13 @@ std::string export_command(const CommandOptions& options,
   }
   if (options.deck || options.vtu) add_effects(session, options, progress);
   if (options.vtu) {
-    updating::write_shapes_vtu(session,
-                               *options.vtu,
-                               output_rule(session.bundle(), options),
-                               progress);
+    updating::write_shapes_vtu(session, *options.vtu, rule, progress);
     for (const auto& file : updating::vtu_files(*options.vtu)) {
       written.push_back(file.string());
     }
   }
   if (options.deck) {
-    updating::write_updated_deck(session, *options.deck, progress);
+    updating::write_updated_deck(session, *options.deck, rule, progress);
     written.push_back(options.deck->string());
   }
   if (options.json) return ordered_json{{"written", written}}.dump(2) + "\n";

@@ -4,6 +4,7 @@
 #include "modal/mass_loading/loaded_frf_model.hpp"
 #include "signal/files/uff58.hpp"
 #include "signal/mass_removal/named_masses.hpp"
+#include "tui/options/open_bundle.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/export/point_geometry.hpp"
@@ -45,7 +46,7 @@ signal::FrfSet free_ones(const signal::FreedFrfs& freed) {
 
 void write_free_ones(const signal::FreedFrfs& freed,
                      updating::Session& session,
-                     const std::filesystem::path& file) {
+                     const CommandOptions& options) {
   const signal::FrfSet set = free_ones(freed);
   if (set.frfs.empty()) {
     throw InputError(
@@ -55,7 +56,8 @@ void write_free_ones(const signal::FreedFrfs& freed,
   }
   signal::write_frfs_uff(set,
                          session.bundle().title + ", sensors' mass taken off",
-                         file,
+                         *options.uff,
+                         output_rule(session.bundle(), options),
                          signal::FrfForm::Accelerance,
                          updating::point_geometry(session));
 }
@@ -131,7 +133,7 @@ std::string free_masses(updating::Session& session,
   const signal::FreedFrfs freed =
       signal::free_frfs(frfs, loaded, model, progress);
   if (options.uff) {
-    write_free_ones(freed, session, *options.uff);
+    write_free_ones(freed, session, options);
   }
   return options.json ? freed_json(frfs, freed, loaded.masses).dump(2) + "\n"
                       : freed_text(frfs, freed, loaded.masses);

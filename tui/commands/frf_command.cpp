@@ -103,6 +103,7 @@ std::string frf_command(const CommandOptions& options,
     signal::write_frfs_uff(frfs,
                            session.bundle().title,
                            *options.uff,
+                           output_rule(session.bundle(), options),
                            form,
                            updating::point_geometry(session));
   }

@@ -101,6 +101,7 @@ std::string modes_command(const CommandOptions& options,
     modal::write_modes_uff(modes,
                            title,
                            *options.uff,
+                           output_rule(session.bundle(), options),
                            told.dataset == 2414 ? modal::ModeDataset::Uff2414
                                                 : modal::ModeDataset::Uff55,
                            updating::point_geometry(session));
@@ -109,6 +110,7 @@ std::string modes_command(const CommandOptions& options,
     signal::write_frfs_uff(modal::fitted_set(frfs, modes),
                            title,
                            *told.fit,
+                           output_rule(session.bundle(), options),
                            signal::FrfForm::Accelerance,
                            updating::point_geometry(session));
   }

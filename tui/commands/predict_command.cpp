@@ -100,6 +100,7 @@ std::string predict_command(const CommandOptions& options,
     signal::write_frfs_uff(prediction.frfs,
                            session.bundle().title + ", predicted",
                            *options.uff,
+                           output_rule(session.bundle(), options),
                            signal::FrfForm::Accelerance,
                            updating::point_geometry(session));
   }

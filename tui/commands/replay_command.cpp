@@ -63,6 +63,7 @@ std::string replay_command(const CommandOptions& options,
     signal::write_frfs_uff(result.frfs,
                            bundle.title,
                            *options.uff,
+                           output_rule(bundle, options),
                            signal::FrfForm::Accelerance,
                            updating::point_geometry(session));
   }

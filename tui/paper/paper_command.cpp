@@ -43,9 +43,9 @@ std::string write_measured(const CommandOptions& options) {
   }
   rule.check({of_truss, of_wing});
   signal::write_frfs_uff(
-      truss.measured(1), truss.study().bundle().title, of_truss);
+      truss.measured(1), truss.study().bundle().title, of_truss, rule);
   signal::write_frfs_uff(
-      wing.measured(1), wing.study().bundle().title, of_wing);
+      wing.measured(1), wing.study().bundle().title, of_wing, rule);
   return "written: " + of_truss.string() + "\nwritten: " + of_wing.string() +
          "\n";
 }

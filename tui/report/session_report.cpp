@@ -45,7 +45,7 @@ void write_report(const Document& document,
                   const std::filesystem::path& path,
                   const acquisition::OutputRule& rule) {
   updating::check_report(rule, path);
-  acquisition::OutputFile report(path);
+  acquisition::OutputFile report(path, rule);
   const auto folder = updating::pictures_folder(path);
   if (!folder) {
     report.stream() << as_html(document);
@@ -53,8 +53,8 @@ void write_report(const Document& document,
   }
   acquisition::OutputFolder pictures(*folder, rule);
   for (const Figure& figure : figures_of(document)) {
-    acquisition::write_file(pictures.file(figure.name + ".svg"),
-                            figure.svg + "\n");
+    acquisition::write_file(
+        pictures.file(figure.name + ".svg"), figure.svg + "\n", {});
   }
   report.stream() << as_markdown(document, folder->filename().string());
   report.finish();

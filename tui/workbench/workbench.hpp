@@ -76,9 +76,11 @@ class Workbench {
   virtual bool redo(const Progress&) = 0;
   virtual std::vector<updating::AddedEffect> effects() = 0;
 
-  /// Writes a file, over an older one; never over an input of the test.
+  /// Writes a file; never over an input of the test.
+  /// @param replace over a file that is there
   virtual void write(Output what,
                      const std::filesystem::path& to,
+                     bool replace,
                      const Progress&) = 0;
   /// How hits had been judged by hand when it was opened.
   virtual updating::HitActs hit_acts() = 0;

@@ -100,7 +100,7 @@ void write_matrices(const fs::path& path,
                     const Head& head,
                     const Sizes& sizes,
                     const std::vector<MatrixXd>& matrices) {
-  acquisition::OutputFile output(path);
+  acquisition::OutputFile output(path, {{}, true});
   std::ostream& file = output.stream();
   write(file, &head, 1);
   write(file, sizes.data(), sizes.size());

@@ -50,12 +50,13 @@ acquisition::UffGeometry geometry_of(Session& session) {
 
 void write_measured_uff(Session& session,
                         const std::filesystem::path& path,
+                        const acquisition::OutputRule& rule,
                         acquisition::UffNodes nodes,
                         const Progress& progress) {
   const std::string& title = session.bundle().title;
   const signal::FrfSet& frfs = session.frfs(progress);
   const modal::ModeSet& modes = session.modes(progress);
-  acquisition::OutputFile file(path);
+  acquisition::OutputFile file(path, rule);
   signal::write_frfs_uff(frfs, title, file.stream());
   file.stream() << modal::modes_as_uff(modes, title);
   write_geometry(geometry_of(session), nodes, file.stream());
@@ -64,6 +65,7 @@ void write_measured_uff(Session& session,
 
 void write_recorded_uff(Session& session,
                         const std::filesystem::path& path,
+                        const acquisition::OutputRule& rule,
                         acquisition::UffEncoding encoding,
                         acquisition::UffNodes nodes,
                         const Progress& progress) {
@@ -73,7 +75,7 @@ void write_recorded_uff(Session& session,
                      bundle.folder.string(),
                      "write its FRFs or modes with --uff");
   }
-  acquisition::OutputFile file(path);
+  acquisition::OutputFile file(path, rule);
   write_uff_records(bundle, encoding, file.stream(), progress);
   write_geometry(geometry_of(session), nodes, file.stream());
   file.commit();

@@ -249,6 +249,7 @@ void check_has_deck(const Session& session) {
 
 void write_updated_deck(Session& session,
                         const std::filesystem::path& path,
+                        const acquisition::OutputRule& rule,
                         const Progress& progress) {
   const structure::Deck& deck = session.deck(progress);
   const Diagnosis named =
@@ -262,7 +263,7 @@ void write_updated_deck(Session& session,
                                      session.model_form(progress));
   structure::Deck changed = deck;
   changed.cards = std::move(updated.lines);
-  structure::write_deck(changed, updated.added, path);
+  structure::write_deck(changed, updated.added, path, rule);
 }
 
 }  // namespace tapfit::updating

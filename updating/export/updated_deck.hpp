@@ -46,6 +46,7 @@ struct UpdatedDeck {
 ///   written; Stopped
 void write_updated_deck(Session& session,
                         const std::filesystem::path& path,
+                        const acquisition::OutputRule& rule,
                         const Progress& progress);
 
 /// @throws InputError for a model given as matrices, which has no deck

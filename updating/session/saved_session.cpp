@@ -366,7 +366,7 @@ std::string as_text(const SavedSession& session) {
 }
 
 void write_saved_session(const fs::path& file, const SavedSession& session) {
-  acquisition::write_file(file, as_text(session));
+  acquisition::write_file(file, as_text(session), {{}, true});
 }
 
 SavedSession read_saved_session(const fs::path& file) {

@@ -59,7 +59,7 @@ bool SharedSession::write(const SavedSession& session) {
     return true;
   }
   std::string text = as_text(session);
-  acquisition::write_file(file_, text);
+  acquisition::write_file(file_, text, {{}, true});
   seen_ = std::move(text);
   return true;
 }

@@ -90,11 +90,12 @@ void write_ground_truth(const VirtualBundleSpec& spec,
   }
   if (spec.sealed) {
     document["hidden"] = hidden_texts(structure);
-    acquisition::write_file(file, sealed_text(document, file.parent_path()));
+    acquisition::write_file(
+        file, sealed_text(document, file.parent_path()), {});
     return;
   }
   list_made_files(file.parent_path(), document);
-  acquisition::write_file(file, document.dump(1) + '\n');
+  acquisition::write_file(file, document.dump(1) + '\n', {});
 }
 
 }  // namespace tapfit::updating

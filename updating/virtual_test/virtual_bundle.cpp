@@ -57,7 +57,7 @@ void check_files(const acquisition::OutputRule& rule,
 void write_model(const VirtualSetup& setup, const fs::path& file) {
   structure::Deck deck = setup.model.model;
   if (!setup.model_cards.empty()) deck.cards = setup.model_cards;
-  structure::write_deck(deck, {}, file);
+  structure::write_deck(deck, {}, file, {});
 }
 
 std::uintmax_t size_of(const fs::path& folder) {
@@ -130,7 +130,8 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
   }
   write_model(setup, output.file("model.bdf"));
   acquisition::write_file(output.file("test.json"),
-                          acquisition::test_bundle_text(bundle, folder));
+                          acquisition::test_bundle_text(bundle, folder),
+                          {});
   write_ground_truth(spec,
                      setup,
                      structure,

@@ -248,7 +248,7 @@ TEST_F(Bundle, ComesBackAsItWasWritten) {
   bundle.block_s = 2.5;
   bundle.suspension_hz = 1.6;
   bundle.trigger = {3.0, -1, 40.0, 0.3};
-  write_test_bundle(bundle, folder_.path());
+  folder_.write("test.json", test_bundle_text(bundle, folder_.path()));
   const TestBundle again = read_test_bundle(folder_.path());
   EXPECT_EQ(again.title, bundle.title);
   EXPECT_EQ(again.deck, bundle.deck);

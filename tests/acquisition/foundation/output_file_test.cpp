@@ -34,7 +34,7 @@ class Outputs : public ::testing::Test {
 TEST_F(Outputs, FileTakesItsPlaceWhenItIsDone) {
   const fs::path file = folder_.write("a.txt", "older");
   fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
-  OutputFile output(file);
+  OutputFile output(file, {{}, true});
   output.stream() << "newer";
   output.stream().flush();
   EXPECT_EQ(content_of(file), "older");
@@ -47,10 +47,10 @@ TEST_F(Outputs, FileTakesItsPlaceWhenItIsDone) {
 
 TEST_F(Outputs, FileThatIsGivenUpLeavesTheOlderOne) {
   const fs::path file = folder_.write("a.txt", "older");
-  { OutputFile(file).stream() << "half"; }
+  { OutputFile(file, {{}, true}).stream() << "half"; }
   EXPECT_EQ(content_of(file), "older");
   EXPECT_EQ(entries_of(folder_.path()), 1);
-  { OutputFile(folder_.path() / "none.txt").stream() << "half"; }
+  { OutputFile(folder_.path() / "none.txt", {}).stream() << "half"; }
   EXPECT_EQ(entries_of(folder_.path()), 1);
 }
 
@@ -64,15 +64,16 @@ TEST_F(Outputs, WhatHasTheNameOfAnUnfinishedFileStays) {
   for (int number = 1; number < 100; ++number) {
     fs::create_symlink("mine.txt", unfinished(number));
   }
-  write_file(folder_.path() / "a.txt", "other");
+  write_file(folder_.path() / "a.txt", "other", {});
   EXPECT_EQ(content_of(mine), "mine");
   EXPECT_FALSE(fs::is_symlink(folder_.path() / "a.txt"));
   EXPECT_EQ(content_of(folder_.path() / "a.txt"), "other");
 }
 
 TEST_F(Outputs, FileWithoutAPlaceIsRefused) {
-  EXPECT_THROW(write_file(folder_.path() / "no" / "a.txt", "x"), InputError);
-  EXPECT_THROW(write_file(folder_.path(), "x"), InputError);
+  EXPECT_THROW(write_file(folder_.path() / "no" / "a.txt", "x", {}),
+               InputError);
+  EXPECT_THROW(write_file(folder_.path(), "x", {}), InputError);
   EXPECT_EQ(entries_of(folder_.path()), 0);
 }
 
@@ -80,28 +81,70 @@ TEST_F(Outputs, LinkStaysAndItsFileIsReplaced) {
   const fs::path file = folder_.write("a.txt", "older");
   const fs::path link = folder_.path() / "link";
   fs::create_symlink("a.txt", link);
-  write_file(link, "newer");
+  write_file(link, "newer", {{}, true});
   EXPECT_TRUE(fs::is_symlink(link));
   EXPECT_EQ(content_of(file), "newer");
 }
 
+TEST_F(Outputs, LinkToNothingStaysAndItsFileIsMade) {
+  const fs::path link = folder_.path() / "link";
+  fs::create_symlink("second", link);
+  fs::create_symlink("a.txt", folder_.path() / "second");
+  EXPECT_THROW(write_file(link, "newer", {}), InputError);
+  EXPECT_FALSE(fs::exists(folder_.path() / "a.txt"));
+  write_file(link, "newer", {{}, true});
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_FALSE(fs::is_symlink(folder_.path() / "a.txt"));
+  EXPECT_EQ(content_of(folder_.path() / "a.txt"), "newer");
+  fs::create_symlink("loop", folder_.path() / "loop");
+  EXPECT_THROW(write_file(folder_.path() / "loop", "x", {{}, true}),
+               InputError);
+}
+
+// While the work was done that was to be written.
+TEST_F(Outputs, WhatCameBetweenStays) {
+  const fs::path input = folder_.write("input.txt", "input");
+  const fs::path place = folder_.path() / "a.txt";
+  const auto come_between = [&](const OutputRule& rule, auto&& come) {
+    fs::remove(place);
+    OutputFile output(place, rule);
+    output.stream() << "newer";
+    come();
+    EXPECT_THROW(output.commit(), InputError);
+  };
+  come_between({}, [&] { folder_.write("a.txt", "other"); });
+  EXPECT_EQ(content_of(place), "other");
+  come_between({}, [&] { fs::create_symlink("nothing", place); });
+  EXPECT_TRUE(fs::is_symlink(place));
+  for (const bool force : {false, true}) {
+    const OutputRule rule{{input}, force};
+    come_between(rule, [&] { fs::create_symlink("input.txt", place); });
+    EXPECT_TRUE(fs::is_symlink(place));
+    come_between(rule, [&] { fs::create_hard_link(input, place); });
+    EXPECT_EQ(content_of(place), "input");
+    EXPECT_THROW(write_file(place, "newer", rule), InputError);
+  }
+  EXPECT_EQ(content_of(input), "input");
+  EXPECT_EQ(entries_of(folder_.path()), 2);
+}
+
 // The device that stands for a full disk.
 TEST_F(Outputs, DevicesAreWrittenToAndFullOnesTold) {
-  EXPECT_NO_THROW(write_file("/dev/null", "x"));
+  EXPECT_NO_THROW(write_file("/dev/null", "x", {}));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_THROW(write_file("/dev/full", "x"), InputError);
+  EXPECT_THROW(write_file("/dev/full", "x", {}), InputError);
 }
 
 TEST_F(Outputs, FolderComesWithAllItsFilesOrNotAtAll) {
   const fs::path target = folder_.path() / "new" / "test";
   {
     const OutputFolder output(target, {});
-    write_file(output.file("a.txt"), "a");
+    write_file(output.file("a.txt"), "a", {});
   }
   EXPECT_EQ(entries_of(folder_.path()), 0);
   OutputFolder output(target, {});
-  write_file(output.file("a.txt"), "a");
-  write_file(output.file("b.txt"), "b");
+  write_file(output.file("a.txt"), "a", {});
+  write_file(output.file("b.txt"), "b", {});
   EXPECT_FALSE(fs::exists(target));
   output.commit();
   EXPECT_EQ(content_of(target / "b.txt"), "b");
@@ -124,8 +167,8 @@ TEST_F(Outputs, FolderAsksItsRuleForEveryFile) {
 TEST_F(Outputs, FolderThatMayNotBeWrittenStaysAsItWas) {
   {
     OutputFolder output(folder_.path(), {});
-    write_file(output.file("a.txt"), "newer");
-    write_file(output.file("b.txt"), "newer");
+    write_file(output.file("a.txt"), "newer", {});
+    write_file(output.file("b.txt"), "newer", {});
     folder_.write("b.txt", "older");
     EXPECT_THROW(output.commit(), InputError);
   }
@@ -167,14 +210,14 @@ TEST_F(Outputs, FilesOfAFolderKeepTheirRights) {
 TEST_F(Outputs, FileThatIsFinishedHasNotTakenItsPlace) {
   const fs::path file = folder_.write("a.txt", "older");
   {
-    OutputFile output(file);
+    OutputFile output(file, {{}, true});
     output.stream() << "newer";
     output.finish();
     EXPECT_EQ(content_of(file), "older");
     output.commit();
   }
   EXPECT_EQ(content_of(file), "newer");
-  OutputFile full("/dev/full");
+  OutputFile full("/dev/full", {});
   full.stream() << "x";
   EXPECT_THROW(full.finish(), InputError);
 }
@@ -184,7 +227,7 @@ TEST_F(Outputs, FolderThatIsThereKeepsItsOtherFiles) {
   folder_.write("other.txt", "other");
   {
     OutputFolder output(folder_.path(), OutputRule{{}, true});
-    write_file(output.file("a.txt"), "newer");
+    write_file(output.file("a.txt"), "newer", {});
     EXPECT_EQ(content_of(folder_.path() / "a.txt"), "older");
     output.commit();
   }

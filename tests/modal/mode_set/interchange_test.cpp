@@ -102,7 +102,7 @@ TEST(Interchange, SynthesisedFrfsComeBackAsTheClosedForm) {
     const ModeSet found = identify_modes(given, {});
     const testing::TemporaryFolder folder;
     const auto file = folder.path() / "fit.uff";
-    signal::write_frfs_uff(fitted_set(given, found), "A chain", file);
+    signal::write_frfs_uff(fitted_set(given, found), "A chain", file, {});
     const signal::FrfSet read = signal::read_frfs_uff(file).set;
     ASSERT_EQ(read.frfs.size(), given.frfs.size());
     ASSERT_EQ(read.lines(), given.lines());

@@ -51,7 +51,7 @@ TEST(Uff55, ModalBIsMinusPoleTimesModalA) {
 
 TEST(Uff55, SaysWhenItCannotBeWritten) {
   EXPECT_THROW(
-      write_modes_uff(one_mode(), "A plate", "/nonexistent-folder/x.uff"),
+      write_modes_uff(one_mode(), "A plate", "/nonexistent-folder/x.uff", {}),
       InputError);
 }
 

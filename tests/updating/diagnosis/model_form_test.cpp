@@ -91,7 +91,7 @@ TEST_F(ModelFormTest, StandsInTheUpdatedDeck) {
   session.fit_uncertain();
   const std::vector<ModelForm> form = session.model_form();
   ASSERT_EQ(form.size(), 1U);
-  write_updated_deck(session, folder_.path() / "updated.bdf", {});
+  write_updated_deck(session, folder_.path() / "updated.bdf", {}, {});
   const structure::Deck written =
       structure::read_deck(folder_.path() / "updated.bdf");
   EXPECT_NEAR(written.bar_properties.at(1).K1,

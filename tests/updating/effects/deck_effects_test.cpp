@@ -93,7 +93,7 @@ class DeckEffects : public ::testing::Test {
   structure::Deck with_cards(const Model& m, const PlacedEffect& e) const {
     const auto path = m.deck.path.parent_path() / "updated.bdf";
     structure::write_deck(
-        m.deck, e.effect->bulk_data(e.where, m.setting, e.p), path);
+        m.deck, e.effect->bulk_data(e.where, m.setting, e.p), path, {{}, true});
     return structure::read_deck(path);
   }
 

@@ -16,8 +16,10 @@ acquisition::TestBundle with_sensor(double kg,
                                     const std::filesystem::path& folder) {
   acquisition::TestBundle bundle;
   bundle.frfs = folder / "frfs.uff";
-  signal::write_frfs_uff(
-      test::one_reference(kg, 0.003), "six points", *bundle.frfs);
+  signal::write_frfs_uff(test::one_reference(kg, 0.003),
+                         "six points",
+                         *bundle.frfs,
+                         {{}, true});
   return bundle;
 }
 

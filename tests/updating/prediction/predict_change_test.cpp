@@ -282,7 +282,8 @@ class PredictedOscillator : public ::testing::Test {
     frf.coherence = Eigen::VectorXd::Ones(lines);
     frf.variance = Eigen::VectorXd::Zero(lines);
     set.frfs.push_back(frf);
-    signal::write_frfs_uff(set, "oscillator", folder_.path() / "measured.uff");
+    signal::write_frfs_uff(
+        set, "oscillator", folder_.path() / "measured.uff", {{}, true});
     folder_.write(
         "model.bdf",
         fmt::format("BEGIN BULK\nGRID,1,,0.,0.,0.,,12456\n"

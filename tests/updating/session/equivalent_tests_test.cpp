@@ -247,7 +247,7 @@ TEST_F(EquivalentTests, InMillimetresAndTonnes) {
   expect_same(whole_result(in_mm), *plain_);
 
   // Its updated deck is in its own units.
-  write_updated_deck(in_mm, folder_ / "updated.bdf", {});
+  write_updated_deck(in_mm, folder_ / "updated.bdf", {}, {});
   const structure::Deck deck = structure::read_deck(folder_ / "updated.bdf");
   const auto size = [](const char* name) {
     return plain_->sizes.at(name).value;

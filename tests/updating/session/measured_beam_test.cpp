@@ -37,13 +37,15 @@ std::string deck_text() {
 }
 
 fs::path made_bundle() {
-  const fs::path folder = fs::path(::testing::TempDir()) / "tapfit-measured-beam";
+  const fs::path folder =
+      fs::path(::testing::TempDir()) / "tapfit-measured-beam";
   fs::create_directories(folder);
   std::ofstream(folder / "model.bdf") << deck_text();
   // Grids every 25 mm, the hit points among them.
   signal::write_frfs_uff(test::read_beam({5, 11, 16, 21, 27, 33, 38, 43, 49}),
                          "suspended beam",
-                         folder / "measured.uff");
+                         folder / "measured.uff",
+                         {{}, true});
   std::ofstream(folder / "test.json") << R"({
     "tapfit": 1, "model": "model.bdf", "frfs": "measured.uff",
     "band_hz": [65, 1000],

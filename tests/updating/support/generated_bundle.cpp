@@ -1,6 +1,7 @@
 #include "tests/updating/support/generated_bundle.hpp"
 
 #include "acquisition/bundle/write_test_bundle.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "acquisition/readers/audio_file.hpp"
 #include "tests/signal/support/generated_structure.hpp"
 
@@ -133,7 +134,9 @@ void write_bundle(const SheetAndRecords& test,
         static_cast<int>(test.recordings[r].sample_rate_hz),
         acquisition::AudioFormat::Wav24);
   }
-  acquisition::write_test_bundle(bundle, folder);
+  acquisition::write_file(folder / "test.json",
+                          acquisition::test_bundle_text(bundle, folder),
+                          {{}, true});
 }
 
 }  // namespace tapfit::updating::testing

@@ -168,6 +168,12 @@ void read_file(const std::filesystem::path& path,
       shapes.add(text);
     }
   }
+  if (file.bad()) {
+    throw InputError(
+        fmt::format("cannot be read to its end: {}", path.string()),
+        asked_by,
+        "Check the disk, and that it is a file of cards.");
+  }
   // Before anything that it holds is looked at closer, and quoted.
   shapes.check(path, asked_by);
 }

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "acquisition/foundation/coordinate_system.hpp"
+#include "acquisition/foundation/output_rule.hpp"
 
 #include <Eigen/Core>
 
@@ -362,8 +363,10 @@ void check_references(const Deck& deck);
 
 /// Writes the deck's original lines, INCLUDE files inlined, followed by the
 /// cards given (for example a CONM2 for an identified mass) before ENDDATA.
+/// @throws InputError where the rule does not let it, or it cannot be written
 void write_deck(const Deck& deck,
                 const std::vector<std::string>& added_cards,
-                const std::filesystem::path& path);
+                const std::filesystem::path& path,
+                const acquisition::OutputRule& rule);
 
 }  // namespace tapfit::structure

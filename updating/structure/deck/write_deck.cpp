@@ -9,12 +9,13 @@ namespace tapfit::structure {
 
 void write_deck(const Deck& deck,
                 const std::vector<std::string>& added_cards,
-                const std::filesystem::path& path) {
+                const std::filesystem::path& path,
+                const acquisition::OutputRule& rule) {
   const auto end = std::find_if(
       deck.cards.begin(), deck.cards.end(), [](const std::string& line) {
         return upper(trimmed(line)).starts_with("ENDDATA");
       });
-  acquisition::OutputFile output(path);
+  acquisition::OutputFile output(path, rule);
   std::ostream& file = output.stream();
   for (auto line = deck.cards.begin(); line != end; ++line) {
     file << *line << '\n';

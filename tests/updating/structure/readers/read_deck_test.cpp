@@ -215,6 +215,8 @@ TEST(ReadDeck, SaysWhatIsWrongAndWhere) {
   expect(plate + "CBAR,9,2,1,2,1.,0.,0.\nPBAR,2,1,1.,1.,1.\n", "along the bar");
   expect(plate + "PBARL,2,1,,DBOX\n,1.,1.\n", "DBOX");
   expect(plate + "INCLUDE 'absent.inc'\n", "cannot open");
+  // A file whose reading fails, as on a broken disk: nothing is at its start.
+  expect(plate + "INCLUDE '/proc/self/mem'\n", "cannot be read to its end");
   expect("+,1.,2.\n" + plate, "follows no entry");
   expect(plate + "CORD2R,1,,0.,0.,0.,0.,0.,1.\n,0.,0.,2.\n", "on a line");
   expect(plate + "GRID,5,,1,2,3,4,5,6,7,8,9,10\n", "fields");
@@ -225,7 +227,7 @@ TEST(WriteDeck, KeepsEveryLineAndAddsBeforeEnddata) {
   const std::string text = "SOL 103\nCEND\nBEGIN BULK\n$ my plate\n" + plate;
   const Deck deck = deck_of(text + "ENDDATA\n");
   const std::filesystem::path out = write_text("out.bdf", "");
-  write_deck(deck, {"CONM2,9,1,,0.05"}, out);
+  write_deck(deck, {"CONM2,9,1,,0.05"}, out, {{}, true});
   std::ifstream file(out);
   const std::string written((std::istreambuf_iterator<char>(file)), {});
   EXPECT_EQ(written, text + "CONM2,9,1,,0.05\nENDDATA\n");
