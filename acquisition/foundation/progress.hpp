@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <stop_token>
 #include <string_view>
 
@@ -10,11 +11,21 @@ namespace tapfit {
 /// Thrown out of long work when its user asked to stop; nothing is lost.
 struct Stopped {};
 
+/// Looks on at more of some work than the share that is done; the work says at
+/// what, in a type of its own.
+struct Watch {
+  Watch() = default;
+  Watch(const Watch&) = default;
+  Watch& operator=(const Watch&) = default;
+  virtual ~Watch() = default;
+};
+
 /// Passed down into long work. A default-made Progress is silent.
 struct Progress {
   /// Called with the name of the stage and the fraction done, 0..1.
   std::function<void(std::string_view stage, double fraction)> report;
   std::stop_token stop;
+  std::shared_ptr<const Watch> watch = {};  ///< none: nobody looks on
 
   /// Reports, then throws Stopped when a stop was requested.
   void operator()(std::string_view stage, double fraction) const {

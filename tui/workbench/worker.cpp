@@ -274,9 +274,6 @@ std::string Worker::note_left_out() {
 
 void Worker::run(Job& job) {
   updating::FitWatch watch;
-  watch.report = [this](std::string_view stage, double fraction) {
-    report(stage, fraction);
-  };
   // The curve to be watched is the one that is worst in the beginning.
   std::optional<std::size_t> frf;
   watch.step = [this, &frf](const updating::FitMoment& moment) {
@@ -295,7 +292,10 @@ void Worker::run(Job& job) {
     status_.tried = std::move(now);
   };
   Progress progress;
-  progress.report = std::move(watch);
+  progress.report = [this](std::string_view stage, double fraction) {
+    report(stage, fraction);
+  };
+  progress.watch = std::make_shared<const updating::FitWatch>(std::move(watch));
   {
     const std::lock_guard lock(mutex_);
     progress.stop = stop_.get_token();

@@ -30,7 +30,7 @@ Diagnosis diagnose_test(const FitGround& ground,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
   DiagnoseOptions options = options_of_test(ground, base);
-  if (const auto* watch = progress.report.target<FitWatch>()) {
+  if (const FitWatch* watch = fit_watch(progress)) {
     options.tried = watch->tried;
   }
   Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);

@@ -1,6 +1,5 @@
-// Looking on while a fit runs. A FitWatch put into Progress::report is told of
-// every step besides, and may have the fit end with what it has reached: all
-// else that takes a Progress need not know of it.
+// Looking on while a fit runs: a FitWatch is told of every step, and may have
+// the fit end with what it has reached.
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
@@ -10,8 +9,6 @@
 #include <Eigen/Core>
 
 #include <functional>
-#include <string_view>
-#include <utility>
 
 namespace tapfit::updating {
 
@@ -32,44 +29,31 @@ struct FitMoment {
   const Eigen::MatrixXd& covariance;  ///< of theta
 };
 
-struct FitWatch {
-  std::function<void(std::string_view stage, double fraction)> report;
+struct FitWatch : Watch {
   std::function<void(const FitMoment& moment)> step;
   std::function<bool()> enough;  ///< true: end now, keep what is reached
   /// Of a diagnosis what its first look has fitted to the end: one at a time,
   /// from any thread.
-  std::function<void(const Candidate& candidate)> tried = {};
-
-  void operator()(std::string_view stage, double fraction) const {
-    if (report) report(stage, fraction);
-  }
+  std::function<void(const Candidate& candidate)> tried;
 };
 
-/// The watch that wants to be told of steps, if there is one.
-[[nodiscard]] inline const FitWatch* watch_of(const Progress& progress) {
-  const auto* watch = progress.report.target<FitWatch>();
-  return watch != nullptr && watch->step ? watch : nullptr;
+/// Whoever looks on at a fit, or none.
+[[nodiscard]] inline const FitWatch* fit_watch(const Progress& progress) {
+  return dynamic_cast<const FitWatch*>(progress.watch.get());
 }
 
 /// Whether a watch has seen enough.
 [[nodiscard]] inline bool is_enough(const Progress& progress) {
-  const auto* watch = progress.report.target<FitWatch>();
+  const FitWatch* watch = fit_watch(progress);
   return watch != nullptr && watch->enough && watch->enough();
 }
 
-/// As part_of(), but a watch is still told of the part's steps.
-/// @param whole outlives the part
+/// As part_of(), but a watch still looks on.
 [[nodiscard]] inline Progress watched_part(const Progress& whole,
                                            double from,
                                            double to) {
   Progress part = part_of(whole, from, to);
-  const auto* watch = whole.report.target<FitWatch>();
-  if (watch == nullptr) return part;
-  FitWatch inner{std::move(part.report), {}, {}};
-  // Asked itself, no copy: it may count.
-  if (watch->step) inner.step = [watch](const FitMoment& m) { watch->step(m); };
-  if (watch->enough) inner.enough = [watch] { return watch->enough(); };
-  part.report = std::move(inner);
+  part.watch = whole.watch;
   return part;
 }
 

@@ -11,10 +11,9 @@ namespace tapfit::updating {
 Fit fit_kept(const std::function<Fit(const Progress&)>& fit,
              int steps,
              const Progress& progress) {
-  const auto* outer = progress.report.target<FitWatch>();
+  const FitWatch* outer = fit_watch(progress);
   if (outer == nullptr && steps == 0) return fit(progress);
-  FitWatch watch =
-      outer != nullptr ? *outer : FitWatch{progress.report, {}, {}};
+  FitWatch watch = outer != nullptr ? *outer : FitWatch();
   int taken = 0;
   int stopped = 0;
   watch.step = [&taken, tell = watch.step](const FitMoment& moment) {
@@ -27,7 +26,7 @@ Fit fit_kept(const std::function<Fit(const Progress&)>& fit,
     return enough;
   };
   Progress watched = progress;
-  watched.report = std::move(watch);
+  watched.watch = std::make_shared<const FitWatch>(std::move(watch));
   Fit result = fit(watched);
   result.stopped_after = stopped;
   if (stopped > 0) {

@@ -6,8 +6,8 @@
 namespace tapfit::updating {
 
 Progress part_of(const Progress& whole, double from, double to) {
-  if (!whole.report) return whole;
-  Progress part = whole;
+  Progress part{{}, whole.stop};
+  if (!whole.report) return part;
   part.report = [report = whole.report, from, to](std::string_view stage,
                                                   double fraction) {
     report(stage, from + (to - from) * std::clamp(fraction, 0.0, 1.0));
@@ -16,8 +16,8 @@ Progress part_of(const Progress& whole, double from, double to) {
 }
 
 Progress numbered(const Progress& whole, const std::string& what, int number) {
-  if (!whole.report || number == 1) return whole;
-  Progress with_number = whole;
+  Progress with_number{whole.report, whole.stop};
+  if (!whole.report || number == 1) return with_number;
   with_number.report = [report = whole.report,
                         words = " (" + what + " " + std::to_string(number) +
                                 ")"](std::string_view stage, double fraction) {
@@ -27,8 +27,8 @@ Progress numbered(const Progress& whole, const std::string& what, int number) {
 }
 
 Progress never_falling(const Progress& whole) {
-  if (!whole.report) return whole;
-  Progress rising = whole;
+  Progress rising{{}, whole.stop};
+  if (!whole.report) return rising;
   // Copies of it are handed down, and all of them count.
   rising.report = [report = whole.report, reached = std::make_shared<double>()](
                       std::string_view stage, double fraction) {

@@ -1,5 +1,6 @@
 // Long work that is made of parts as one share that never falls: who watches
-// it sees how far the whole is, whatever the parts report of themselves.
+// it sees how far the whole is, whatever the parts report of themselves. A
+// watch does not go with them, but for watched_part().
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
@@ -9,7 +10,6 @@
 namespace tapfit::updating {
 
 /// For a part of the work: its 0 .. 1 is from .. to of the whole.
-/// @param whole is copied
 [[nodiscard]] Progress part_of(const Progress& whole, double from, double to);
 
 /// From the second on with the number behind the name of each stage:

@@ -76,7 +76,8 @@ class Updating {
     const auto steps = static_cast<double>(history_.size() - 1);
     (*progress_)("updating", steps / options_.most_steps);
     if (first) return true;
-    if (const FitWatch* watch = watch_of(*progress_)) {
+    const FitWatch* watch = fit_watch(*progress_);
+    if (watch != nullptr && watch->step) {
       watch->step(
           {history_.back(),
            *model_,

@@ -99,7 +99,7 @@ class FakeWorkbench final : public Workbench {
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
     if (options_.endless_first_diagnosis && added_.empty()) {
-      const auto* watch = progress.report.target<updating::FitWatch>();
+      const updating::FitWatch* watch = updating::fit_watch(progress);
       for (const updating::Candidate& c : diagnosis_.candidates) {
         if (watch != nullptr && watch->tried) watch->tried(c);
       }

@@ -1,5 +1,7 @@
 #include "updating/fit/overall_progress.hpp"
 
+#include "updating/fit/fit_watch.hpp"
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -39,6 +41,17 @@ TEST(OverallProgress, NumbersStagesFromTheSecondRoundOn) {
   numbered(whole, "rung", 2)("screening", 0.5);
   EXPECT_EQ(seen,
             (std::vector<std::string>{"screening", "screening (rung 2)"}));
+}
+
+// A diagnosis fits many hypotheses: who watches one fit does not want them.
+TEST(OverallProgress, IsWatchedWhereThatIsAskedFor) {
+  FitWatch watch;
+  watch.enough = [] { return true; };
+  const Progress whole{{}, {}, std::make_shared<const FitWatch>(watch)};
+  EXPECT_TRUE(is_enough(watched_part(whole, 0.0, 0.5)));
+  EXPECT_FALSE(is_enough(part_of(whole, 0.0, 0.5)));
+  EXPECT_FALSE(is_enough(numbered(whole, "rung", 1)));
+  EXPECT_FALSE(is_enough(never_falling(whole)));
 }
 
 TEST(OverallProgress, StopsAsTheWholeDoes) {

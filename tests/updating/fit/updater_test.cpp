@@ -77,8 +77,9 @@ TEST(UpdaterTest, OneMoreEffectIsNoWorseThanWithoutIt) {
   const Fit before = test.fitter().fit(effects, test.fitter().model_for({}));
   effects.push_back(at_node("added-mass", 9, 0.005));
   const auto model = test.fitter().model_for(effects);
-  Progress impatient;
-  impatient.report = FitWatch{{}, {}, [] { return true; }};
+  FitWatch watch;
+  watch.enough = [] { return true; };
+  const Progress impatient{{}, {}, std::make_shared<const FitWatch>(watch)};
   const Fit alone = test.fitter().fit(effects, model, impatient);
   EXPECT_GT(alone.result.error, 1.005 * before.result.error);
   const Fit after = test.fitter().fit(effects, model, impatient, &before);
@@ -95,8 +96,7 @@ TEST(UpdaterTest, AWatchSeesTheFitSlideOntoTheMeasurement) {
     seen.push_back(live_fit(
         moment, seen.empty() ? std::nullopt : std::optional(seen[0].frf)));
   };
-  Progress progress;
-  progress.report = watch;
+  const Progress progress{{}, {}, std::make_shared<const FitWatch>(watch)};
   const Fit fit =
       test.fitter().fit(start, test.fitter().model_for(start), progress);
   ASSERT_GT(seen.size(), 3U);
@@ -240,7 +240,8 @@ TEST(DiagnoseTest, FindsAMassBetweenGrids) {
   EXPECT_GT(size.hi95, 0.03);
 }
 
-// Over two of the four elements of the plate's width: its tip is the third grid.
+// Over two of the four elements of the plate's width: its tip is the third
+// grid.
 TEST(DiagnoseTest, FindsACrackThatEndsInThePlate) {
   PlacedEffect crack{&effects::find("joint"), {}, {1e6}};
   crack.where.nodes = {5, 16, 27};

@@ -177,9 +177,12 @@ TEST_F(EffectStackTest, ProgressDoesNotFallAndStepsAreStillTold) {
   std::vector<double> shares;
   int steps = 0;
   FitWatch watch;
-  watch.report = [&shares](std::string_view, double s) { shares.push_back(s); };
   watch.step = [&steps](const FitMoment&) { ++steps; };
-  stack_->add_together({mass_at(9), mass_at(53)}, how(), {watch, {}});
+  const Progress progress{
+      [&shares](std::string_view, double s) { shares.push_back(s); },
+      {},
+      std::make_shared<const FitWatch>(watch)};
+  stack_->add_together({mass_at(9), mass_at(53)}, how(), progress);
   EXPECT_TRUE(std::ranges::is_sorted(shares));
   ASSERT_FALSE(shares.empty());
   EXPECT_LT(shares.front(), 0.1);
@@ -232,9 +235,7 @@ TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {
 Progress impatient(int steps) {
   FitWatch watch;
   watch.enough = [asked = 0, steps]() mutable { return ++asked >= steps; };
-  Progress progress;
-  progress.report = watch;
-  return progress;
+  return {{}, {}, std::make_shared<const FitWatch>(watch)};
 }
 
 TEST_F(EffectStackTest, AFitThatWasKeptComesBackAsItWas) {
