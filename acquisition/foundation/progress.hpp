@@ -13,11 +13,11 @@ struct Stopped {};
 
 /// Looks on at more of some work than the share that is done; the work says at
 /// what, in a type of its own.
-struct Watch {
-  Watch() = default;
-  Watch(const Watch&) = default;
-  Watch& operator=(const Watch&) = default;
-  virtual ~Watch() = default;
+struct Observer {
+  Observer() = default;
+  Observer(const Observer&) = default;
+  Observer& operator=(const Observer&) = default;
+  virtual ~Observer() = default;
 };
 
 /// Passed down into long work. A default-made Progress is silent.
@@ -25,7 +25,7 @@ struct Progress {
   /// Called with the name of the stage and the fraction done, 0..1.
   std::function<void(std::string_view stage, double fraction)> report;
   std::stop_token stop;
-  std::shared_ptr<const Watch> watch = {};  ///< none: nobody looks on
+  std::shared_ptr<const Observer> observer = {};  ///< none: nobody looks on
 
   /// Reports, then throws Stopped when a stop was requested.
   void operator()(std::string_view stage, double fraction) const {

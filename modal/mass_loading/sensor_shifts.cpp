@@ -240,7 +240,7 @@ std::optional<PoleShifts> sensor_shifts(const signal::FrfSet& frfs,
   return shifts;
 }
 
-bool is_telling(const std::optional<PoleShifts>& shifts) {
+bool is_significant(const std::optional<PoleShifts>& shifts) {
   return shifts && shifts->cause != ShiftCause::Noise;
 }
 

@@ -28,7 +28,7 @@ namespace tapfit::modal {
     const MultiSetupModes& runs);
 
 /// Whether there are shifts and they are more than noise.
-[[nodiscard]] bool is_telling(const std::optional<PoleShifts>& shifts);
+[[nodiscard]] bool is_significant(const std::optional<PoleShifts>& shifts);
 
 /// What the shifts say, in a sentence; empty when they are noise.
 ///

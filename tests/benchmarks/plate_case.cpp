@@ -77,10 +77,10 @@ std::unique_ptr<PlateCase> make_case(int nx, int ny) {
   auto plate = std::make_unique<PlateCase>();
   plate->deck = make_deck(nx, ny);
   plate->bundle = make_bundle(nx, ny);
-  plate->setting.bundle = &plate->bundle;
-  plate->setting.deck = &plate->deck;
-  plate->setting.mass_kg = 0.2916;
-  plate->setting.high_hz = top_hz;
+  plate->context.bundle = &plate->bundle;
+  plate->context.deck = &plate->deck;
+  plate->context.mass_kg = 0.2916;
+  plate->context.high_hz = top_hz;
   const structure::System system = structure::assemble(plate->deck);
   plate->free = system.free_dofs();
   plate->K = structure::extract(system.K, plate->free);
@@ -133,7 +133,7 @@ signal::FrfSet measured_pairs(const acquisition::TestBundle& bundle,
 
 updating::FrfModel frf_model(const PlateCase& plate,
                              const Eigen::VectorXcd& s) {
-  return {plate.base, plate.setting, measured_pairs(plate.bundle, s)};
+  return {plate.base, plate.context, measured_pairs(plate.bundle, s)};
 }
 
 updating::ModelState with_masses(const PlateCase& plate,
@@ -142,7 +142,7 @@ updating::ModelState with_masses(const PlateCase& plate,
   updating::ModelState state;
   state.zeta = Eigen::VectorXd::Constant(4, 0.01);
   for (std::size_t k = 0; k < count; ++k) {
-    updating::PlacedEffect effect;
+    updating::EffectInstance effect;
     effect.effect = &effects::find("added-mass");
     effect.where.node = plate.bundle.runs[k].hammer.dof.node;
     effect.p = {mass};

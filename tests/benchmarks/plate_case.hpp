@@ -12,7 +12,7 @@ namespace tapfit::benchmarks {
 struct PlateCase {
   structure::Deck deck;
   acquisition::TestBundle bundle;
-  effects::Setting setting;
+  effects::TestContext context;
   structure::SparseMatrix K;  ///< over the free degrees of freedom
   structure::SparseMatrix M;
   std::vector<int> free;

@@ -3,8 +3,8 @@
 // with everything that is fitted readjusting.
 #include "tests/benchmarks/plate_case.hpp"
 #include "updating/catalogue/catalogue.hpp"
-#include "updating/search/screening.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/search/screening.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -28,14 +28,14 @@ class ScreeningCase {
       bundle_.runs.back().hammer.dof.node =
           1 + column * (ny + 1) + (k % 2 == 0 ? ny : ny / 3);
     }
-    updating::FitSetting setting;
-    setting.setting = plate_.setting;
-    setting.setting.bundle = &bundle_;
-    setting.measured = measured_pairs(bundle_, band_lines(lines));
-    setting.uncertain_sd = {0.1};
-    setting.targets = {updating::make_target(setting.measured)};
+    updating::FitProblem problem;
+    problem.context = plate_.context;
+    problem.context.bundle = &bundle_;
+    problem.measured = measured_pairs(bundle_, band_lines(lines));
+    problem.uncertain_sd = {0.1};
+    problem.targets = {updating::make_target(problem.measured)};
     updating::BaseOptions options;
-    options.high_hz = plate_.setting.high_hz;
+    options.high_hz = plate_.context.high_hz;
     options.split = false;
     options.points = updating::measured_points(plate_.deck, bundle_).all;
     builder_.emplace(
@@ -43,8 +43,8 @@ class ScreeningCase {
         std::vector<acquisition::UncertainProperty>{{"material", 1, "E", 3.0}},
         options,
         Progress{});
-    hide_mass(1 + (nx - 1) * (ny + 1), setting);
-    fitter_.emplace(*builder_, std::move(setting));
+    hide_mass(1 + (nx - 1) * (ny + 1), problem);
+    fitter_.emplace(*builder_, std::move(problem));
     base_.model = fitter_->model_for({});
     base_.result.state = fitter_->first_state(*base_.model, {});
   }
@@ -54,22 +54,22 @@ class ScreeningCase {
   }
 
  private:
-  void hide_mass(int node, updating::FitSetting& setting) const {
-    const Fitter blank(*builder_, setting);
-    updating::PlacedEffect mass{&effects::find("added-mass"), {}, {0.007}};
+  void hide_mass(int node, updating::FitProblem& problem) const {
+    const Fitter blank(*builder_, problem);
+    updating::EffectInstance mass{&effects::find("added-mass"), {}, {0.007}};
     mass.where.node = node;
     const auto truth = blank.model_for({mass});
     const Eigen::MatrixXcd H =
         truth
             ->respond(
-                blank.first_state(*truth, {mass}), setting.measured.s, false)
+                blank.first_state(*truth, {mass}), problem.measured.s, false)
             .H;
     for (Eigen::Index f = 0; f < H.cols(); ++f) {
-      signal::Frf& frf = setting.measured.frfs[static_cast<std::size_t>(f)];
+      signal::Frf& frf = problem.measured.frfs[static_cast<std::size_t>(f)];
       frf.H = H.col(f);
       frf.variance = (0.01 * H.col(f)).cwiseAbs2();
     }
-    setting.targets = {updating::make_target(setting.measured)};
+    problem.targets = {updating::make_target(problem.measured)};
   }
 
   const PlateCase& plate_;

@@ -25,16 +25,16 @@ using testing::judged_double;
 using testing::judged_overload;
 using testing::make;
 using testing::Rate;
-using testing::Setting;
+using testing::TestContext;
 
 // Whether some of the pulse's own width is left to be seen.
 enum class Width { SubSample, Resolved };
 
-Setting draw(Width width, std::mt19937_64& random) {
+TestContext draw(Width width, std::mt19937_64& random) {
   for (;;) {
-    const Setting s{between(256.0, 51200.0, random),
-                    between(0.2e-3, 10e-3, random),
-                    between(0.5, 16.0, random)};
+    const TestContext s{between(256.0, 51200.0, random),
+                        between(0.2e-3, 10e-3, random),
+                        between(0.5, 16.0, random)};
     const bool resolved = s.width_s * s.rate >= 0.5;
     if (resolved == (width == Width::Resolved)) return s;
   }
@@ -58,7 +58,7 @@ void second_blows(unsigned seed, int count) {
       std::mt19937_64 random(seed);
       Rate rate;
       for (; rate.all < count; ++rate.all) {
-        const Setting s = draw(width, random);
+        const TestContext s = draw(width, random);
         rate.yes += judged_double(make(s, 0.0, noise, random), s.rate) ? 1 : 0;
       }
       say("  single blow called double, noise", noise, rate);
@@ -67,7 +67,7 @@ void second_blows(unsigned seed, int count) {
       std::mt19937_64 random(seed + 1);
       Rate rate;
       for (; rate.all < count; ++rate.all) {
-        const Setting s = draw(width, random);
+        const TestContext s = draw(width, random);
         rate.yes += judged_double(make(s, share, 1e-4, random), s.rate) ? 1 : 0;
       }
       say("  second blow found, share", share, rate);
@@ -111,7 +111,7 @@ void soft_blows(unsigned seed, int count) {
     std::mt19937_64 random(seed + 4);
     Rate rate;
     for (int k = 0; k < count; ++k) {
-      const Setting s = draw(Width::Resolved, random);
+      const TestContext s = draw(Width::Resolved, random);
       const double power =
           std::uniform_real_distribution<double>(1.0, 2.0)(random);
       const acquisition::HitSet hits =

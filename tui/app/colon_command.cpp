@@ -114,7 +114,7 @@ ColonCommand parse_colon_command(std::string_view text) {
 }
 
 std::vector<std::string> completions(std::string_view text,
-                                     const effects::Setting& setting) {
+                                     const effects::TestContext& context) {
   std::vector<std::string> found;
   const std::size_t space = text.find(' ');
   if (space == std::string_view::npos) {
@@ -136,7 +136,7 @@ std::vector<std::string> completions(std::string_view text,
       if (name.starts_with(rest)) found.push_back(before + name);
     } else if (name == rest.substr(0, at)) {
       for (const std::string& place :
-           place_words(*effect, setting, rest.substr(at + 1))) {
+           place_words(*effect, context, rest.substr(at + 1))) {
         found.push_back(fmt::format("{}{}@{}", before, name, place));
       }
     }
@@ -144,8 +144,9 @@ std::vector<std::string> completions(std::string_view text,
   return found;
 }
 
-std::string completed(std::string_view text, const effects::Setting& setting) {
-  const std::vector<std::string> all = completions(text, setting);
+std::string completed(std::string_view text,
+                      const effects::TestContext& context) {
+  const std::vector<std::string> all = completions(text, context);
   if (all.empty()) return std::string(text);
   std::string common = all.front();
   for (const std::string& one : all) {

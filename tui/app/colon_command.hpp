@@ -48,12 +48,12 @@ struct ColonCommand {
 /// effects of the catalogue, and after '@' their places. Empty where nothing
 /// fits.
 ///
-/// @param setting as of place_words()
+/// @param context as of place_words()
 [[nodiscard]] std::vector<std::string> completions(
-    std::string_view text, const effects::Setting& setting);
+    std::string_view text, const effects::TestContext& context);
 
 /// The text and what all of its completions have in common beyond it.
 [[nodiscard]] std::string completed(std::string_view text,
-                                    const effects::Setting& setting);
+                                    const effects::TestContext& context);
 
 }  // namespace tapfit::tui

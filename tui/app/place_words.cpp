@@ -9,23 +9,23 @@ namespace tapfit::tui {
 namespace {
 
 using effects::Effect;
-using effects::Setting;
+using effects::TestContext;
 using updating::ChangeKind;
 
-std::vector<std::string> grid_ids(const Setting& setting) {
+std::vector<std::string> grid_ids(const TestContext& context) {
   std::vector<std::string> ids;
-  for (const auto& grid : setting.deck->grids) {
+  for (const auto& grid : context.deck->grids) {
     if (grid.id > 0) ids.push_back(std::to_string(grid.id));
   }
   return ids;
 }
 
-std::vector<std::string> element_ids(const Setting& setting) {
+std::vector<std::string> element_ids(const TestContext& context) {
   std::vector<std::string> ids;
-  for (const auto& shell : setting.deck->shells) {
+  for (const auto& shell : context.deck->shells) {
     ids.push_back(std::to_string(shell.id));
   }
-  for (const auto& bar : setting.deck->bars) {
+  for (const auto& bar : context.deck->bars) {
     ids.push_back(std::to_string(bar.id));
   }
   return ids;
@@ -33,9 +33,9 @@ std::vector<std::string> element_ids(const Setting& setting) {
 
 /// Those of the catalogue, each with the forms that it may take there.
 std::vector<std::string> catalogue_places(const Effect& effect,
-                                          const Setting& setting) {
+                                          const TestContext& context) {
   std::vector<std::string> words;
-  for (const updating::Where& where : effect.places(setting)) {
+  for (const updating::Location& where : effect.places(context)) {
     if (effect.at_sheet_points()) {
       // The grid where it was comes before the runs, and is typed first.
       if (effect.takes_any_grid() && !where.runs.empty()) continue;
@@ -48,7 +48,7 @@ std::vector<std::string> catalogue_places(const Effect& effect,
     if (!where.variant.empty()) word += ":" + where.variant;
     words.push_back(word);
     for (const std::string& form : effect.forms()) {
-      if (effect.takes(form, where, setting))
+      if (effect.takes(form, where, context))
         words.push_back(word + ":" + form);
     }
   }
@@ -56,7 +56,7 @@ std::vector<std::string> catalogue_places(const Effect& effect,
 }
 
 std::vector<std::string> all_words(const Effect& effect,
-                                   const Setting& setting) {
+                                   const TestContext& context) {
   const std::optional<ChangeKind> kind = effect.changes_stiffness();
   if (kind == ChangeKind::Support) {
     std::vector<std::string> words = effect.variants();
@@ -66,16 +66,16 @@ std::vector<std::string> all_words(const Effect& effect,
     return words;
   }
   const bool of_channels = effect.entry() == effects::Entry::Measurement;
-  if (setting.deck == nullptr && !of_channels) return {};
-  if (effect.sits() == effects::Sits::OnElements) return element_ids(setting);
-  if (kind == ChangeKind::Joint) return grid_ids(setting);
-  return catalogue_places(effect, setting);
+  if (context.deck == nullptr && !of_channels) return {};
+  if (effect.sits() == effects::Sits::OnElements) return element_ids(context);
+  if (kind == ChangeKind::Joint) return grid_ids(context);
+  return catalogue_places(effect, context);
 }
 
 }  // namespace
 
 std::vector<std::string> place_words(const Effect& effect,
-                                     const Setting& setting,
+                                     const TestContext& context,
                                      std::string_view typed) {
   // Elements and a joint's grids are given one after the other.
   const bool listed = effect.changes_stiffness().has_value();
@@ -83,7 +83,7 @@ std::vector<std::string> place_words(const Effect& effect,
   const std::string_view before = typed.substr(0, last);
   const std::string_view begun = typed.substr(last);
   std::vector<std::string> words;
-  for (const std::string& word : all_words(effect, setting)) {
+  for (const std::string& word : all_words(effect, context)) {
     if (word.starts_with(begun)) words.push_back(std::string(before) + word);
   }
   return words;

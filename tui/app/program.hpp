@@ -93,7 +93,7 @@ class Program {
   void run_colon(const std::string& text);
   void show_run(std::size_t number);
   /// What is known of the test that places are named in.
-  [[nodiscard]] effects::Setting setting() const;
+  [[nodiscard]] effects::TestContext context() const;
   void carry_out(const Command& command);
   /// Writes, or asks first whether a file is to be replaced.
   /// @param named the file; empty: the usual one beside the test

@@ -255,7 +255,7 @@ void Program::draw_line(Screen& screen, int y) const {
     screen.put(x, y, U' ', {.reverse = true});
     // Of a place, what stands behind the effect's name.
     std::vector<std::string> words;
-    for (const std::string& one : completions(typed_, setting())) {
+    for (const std::string& one : completions(typed_, context())) {
       words.push_back(one.substr(one.find_last_of(" @") + 1));
     }
     screen.text(

@@ -62,7 +62,7 @@ void Program::press_colon(Key key) {
     mode_ = Mode::Normal;
     run_colon(typed_);
   } else if (key == keys::tab) {
-    typed_ = completed(typed_, setting());
+    typed_ = completed(typed_, context());
   } else if (key == keys::up && !typed_before_.empty()) {
     typed_ = typed_before_;
   } else if (key == keys::backspace) {
@@ -76,11 +76,11 @@ void Program::press_colon(Key key) {
   }
 }
 
-effects::Setting Program::setting() const {
-  effects::Setting setting;
-  setting.bundle = known_.bundle.get();
-  setting.deck = known_.deck.get();
-  return setting;
+effects::TestContext Program::context() const {
+  effects::TestContext context;
+  context.bundle = known_.bundle.get();
+  context.deck = known_.deck.get();
+  return context;
 }
 
 void Program::run_colon(const std::string& text) {

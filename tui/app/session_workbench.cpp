@@ -70,8 +70,9 @@ class SessionWorkbench final : public Workbench {
   updating::Signature signature(int node, const Progress& p) override {
     return session_.signature(node, p);
   }
-  std::vector<updating::GridShare> signature_map(const Progress& p) override {
-    return session_.signature_map(p);
+  std::vector<updating::GridShare> localisation_map(
+      const Progress& p) override {
+    return session_.localisation_map(p);
   }
   std::vector<updating::UpdateRecord> update_records(
       const Progress& p) override {

@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t candidates_shown = 10;
-constexpr std::size_t look_alikes_shown = 2;
+constexpr std::size_t indistinguishable_shown = 2;
 
 ordered_json candidate_json(const updating::Candidate& candidate) {
   const ordered_json own =
@@ -88,7 +88,7 @@ ordered_json next_json(const updating::Diagnosis& diagnosis) {
                     {"sensor", name(next.sensor)},
                     {"difference", next.difference},
                     {"difference_now", next.difference_now},
-                    {"telling", is_telling(next, diagnosis.floor)}});
+                    {"telling", is_significant(next, diagnosis.floor)}});
   }
   return list;
 }
@@ -125,15 +125,17 @@ std::string indented_parameters(
   return text;
 }
 
-std::string look_alikes(const updating::Candidate& candidate) {
+std::string indistinguishable(const updating::Candidate& candidate) {
   const auto& others = candidate.indistinguishable_from;
   std::string text;
-  for (std::size_t k = 0; k < std::min(others.size(), look_alikes_shown); ++k) {
+  for (std::size_t k = 0; k < std::min(others.size(), indistinguishable_shown);
+       ++k) {
     text += text.empty() ? "or " : ", ";
     text += effect_text(others[k].effect, others[k].where);
   }
-  if (others.size() > look_alikes_shown) {
-    text += fmt::format(" and {} more", others.size() - look_alikes_shown);
+  if (others.size() > indistinguishable_shown) {
+    text +=
+        fmt::format(" and {} more", others.size() - indistinguishable_shown);
   }
   return text;
 }
@@ -152,7 +154,7 @@ std::string candidates_text(const std::vector<updating::Candidate>& list) {
     table.add({effect_text(list[k].effect, list[k].where),
                probability_text(list[k].probability),
                percent(list[k].error),
-               look_alikes(list[k])});
+               indistinguishable(list[k])});
   }
   std::istringstream lines(table.text());
   std::string text;

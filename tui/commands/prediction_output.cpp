@@ -27,12 +27,12 @@ ordered_json estimate_json(const updating::Estimate& estimate) {
 }
 
 /// Names and sizes of an effect, as its results have them.
-ordered_json sized_json(const updating::PlacedEffect& placed,
-                        const effects::Setting& setting) {
+ordered_json sized_json(const updating::EffectInstance& placed,
+                        const effects::TestContext& context) {
   ordered_json json =
       placed_json("effect", placed.effect->name(), placed.where);
   ordered_json sizes = ordered_json::object();
-  const auto specs = placed.effect->parameters(placed.where, setting);
+  const auto specs = placed.effect->parameters(placed.where, context);
   for (std::size_t k = 0; k < specs.size() && k < placed.p.size(); ++k) {
     sizes[specs[k].name] = specs[k].sign * placed.p[k];
   }
@@ -40,10 +40,10 @@ ordered_json sized_json(const updating::PlacedEffect& placed,
   return json;
 }
 
-ordered_json sized_json(const std::vector<updating::PlacedEffect>& all,
-                        const effects::Setting& setting) {
+ordered_json sized_json(const std::vector<updating::EffectInstance>& all,
+                        const effects::TestContext& context) {
   ordered_json list = ordered_json::array();
-  for (const auto& placed : all) list.push_back(sized_json(placed, setting));
+  for (const auto& placed : all) list.push_back(sized_json(placed, context));
   return list;
 }
 
@@ -154,13 +154,13 @@ std::string frfs_text(const Prediction& prediction) {
 }  // namespace
 
 ordered_json prediction_json(const Prediction& prediction) {
-  const effects::Setting& setting = prediction.model->setting();
+  const effects::TestContext& context = prediction.model->context();
   ordered_json modes = ordered_json::array();
   for (const PredictedMode& mode : prediction.modes) {
     modes.push_back(mode_json(mode));
   }
-  return {{"with", sized_json(prediction.with, setting)},
-          {"change", sized_json(prediction.change, setting)},
+  return {{"with", sized_json(prediction.with, context)},
+          {"change", sized_json(prediction.change, context)},
           {"form_sd", prediction.form_sd},
           {"modes", std::move(modes)},
           {"frfs", frfs_json(prediction)},
@@ -195,14 +195,14 @@ ordered_json confirmation_json(const updating::Confirmation& confirmation,
 
 std::string prediction_text(const Prediction& prediction,
                             const std::string& source) {
-  const effects::Setting& setting = prediction.model->setting();
+  const effects::TestContext& context = prediction.model->context();
   std::string text = "Predicted for\n";
   for (const auto& change : prediction.change) {
-    text += "  " + change_text(change, setting) + "\n";
+    text += "  " + change_text(change, context) + "\n";
   }
   text += "by the model with " + source + "\n";
   for (const auto& placed : prediction.with) {
-    text += "  " + change_text(placed, setting) + "\n";
+    text += "  " + change_text(placed, context) + "\n";
   }
   text += modes_text(prediction.modes) + frfs_text(prediction);
   for (const std::string& warning : prediction.warnings) {

@@ -70,7 +70,8 @@ std::string signature_text(const updating::Signature& signature) {
          table.text();
 }
 
-ordered_json signature_map_json(const std::vector<updating::GridShare>& map) {
+ordered_json localisation_map_json(
+    const std::vector<updating::GridShare>& map) {
   ordered_json grids = ordered_json::array();
   for (const updating::GridShare& grid : map) {
     grids.push_back({{"node", grid.node}, {"explained", grid.explained}});
@@ -78,7 +79,7 @@ ordered_json signature_map_json(const std::vector<updating::GridShare>& map) {
   return {{"grids", std::move(grids)}};
 }
 
-std::string signature_map_text(const std::vector<updating::GridShare>& map) {
+std::string localisation_map_text(const std::vector<updating::GridShare>& map) {
   constexpr std::size_t shown = 20;
   TextTable table({"node", "explained", "<"});
   for (std::size_t k = 0; k < std::min(shown, map.size()); ++k) {
@@ -100,9 +101,9 @@ std::string signature_command(const CommandOptions& options,
                               const Progress& progress) {
   updating::Session session = open_bundle(options.input);
   if (options.node == 0) {
-    const auto map = session.signature_map(progress);
-    return options.json ? signature_map_json(map).dump(2) + "\n"
-                        : signature_map_text(map);
+    const auto map = session.localisation_map(progress);
+    return options.json ? localisation_map_json(map).dump(2) + "\n"
+                        : localisation_map_text(map);
   }
   const updating::Signature signature =
       session.signature(options.node, progress);

@@ -10,8 +10,8 @@
 #include "tui/report/update_output.hpp"
 #include "updating/diagnosis/named_diagnosis.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
-#include "updating/fit/fit_setting.hpp"
-#include "updating/fit/held_back.hpp"
+#include "updating/fit/active_constraints.hpp"
+#include "updating/fit/fit_problem.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -62,7 +62,7 @@ std::string update_command(const CommandOptions& options,
   for (const auto& effect : effects) session.add(effect, progress);
   const auto records = session.update_records(progress);
   const auto parameters = session.model_parameters(progress);
-  std::vector<std::string> held = updating::held_back(
+  std::vector<std::string> held = updating::active_constraints(
       updating::property_names(session.bundle(), session.deck(progress)),
       parameters);
   if (!records.empty() && !records.back().converged) {

@@ -7,7 +7,7 @@ namespace tapfit::tui {
 using nlohmann::ordered_json;
 
 ordered_json where_json(const std::string& effect,
-                        const updating::Where& where) {
+                        const updating::Location& where) {
   ordered_json json = ordered_json::object();
   if (effect.starts_with("channel-") && where.channels.size() == 1) {
     json["channel"] = where.channels.front();
@@ -26,7 +26,7 @@ ordered_json where_json(const std::string& effect,
 
 ordered_json placed_json(const char* key,
                          const std::string& effect,
-                         const updating::Where& where) {
+                         const updating::Location& where) {
   ordered_json json = {{key, effect}, {"where", where_json(effect, where)}};
   const bool axis = is_along_axis(where) || is_direction(where);
   if (!where.variant.empty() && !axis) {

@@ -12,14 +12,15 @@ namespace tapfit::tui {
 /// {"elements": [..]} or {}.
 ///
 /// @param effect catalogue name; of a group "a|b" the first counts
-[[nodiscard]] nlohmann::ordered_json where_json(const std::string& effect,
-                                                const updating::Where& where);
+[[nodiscard]] nlohmann::ordered_json where_json(
+    const std::string& effect, const updating::Location& where);
 
 /// {KEY: effect, "where": {..}} and, where the effect has several forms at a
 /// place, "variant": "rotation".
-[[nodiscard]] nlohmann::ordered_json placed_json(const char* key,
-                                                 const std::string& effect,
-                                                 const updating::Where& where);
+[[nodiscard]] nlohmann::ordered_json placed_json(
+    const char* key,
+    const std::string& effect,
+    const updating::Location& where);
 
 /// {"mass_kg": {"value", "sd", "lo95", "hi95"}}
 [[nodiscard]] nlohmann::ordered_json parameters_json(

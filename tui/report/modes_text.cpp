@@ -165,7 +165,7 @@ std::string modes_text(const modal::ModeSet& modes,
                    : fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
   }
   if (!modes.modes.empty()) text += table.text();
-  if (modal::is_telling(modes.shifts)) {
+  if (modal::is_significant(modes.shifts)) {
     text += "  note: " + statement(*modes.shifts, channels) + "\n";
   }
   for (const auto& warning : modes.warnings)

@@ -10,7 +10,7 @@
 #include "tui/report/robustness_output.hpp"
 #include "tui/screen/number.hpp"
 #include "updating/comparison/compare.hpp"
-#include "updating/fit/kept_fit.hpp"
+#include "updating/fit/early_stopped_fit.hpp"
 
 #include <fmt/format.h>
 

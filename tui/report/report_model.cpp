@@ -223,7 +223,7 @@ bool found_absorber(const ModelResults& model, int node) {
 
 /// Where one grid explains most of the misfit.
 bool means_something(const std::optional<updating::Signature>& signature) {
-  return signature && updating::is_telling(*signature) &&
+  return signature && updating::is_significant(*signature) &&
          signature->frequency_hz.size() > 1 &&
          signature->z.size() == signature->frequency_hz.size();
 }

@@ -79,7 +79,7 @@ std::set<int> found_nodes(const ReportData& data) {
 std::string found_at_places(const ReportData& data) {
   std::vector<std::string> names;
   for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
-    const updating::Where& where = rung.where;
+    const updating::Location& where = rung.where;
     if (where.node != 0 || !where.nodes.empty() || !where.elements.empty()) {
       names.push_back(found_words(rung.added, where));
     }

@@ -96,8 +96,8 @@ std::string effect_words(const std::string& effect) {
   return text;
 }
 
-std::string place_words(const updating::Where& where) {
-  updating::Where plain = where;
+std::string place_words(const updating::Location& where) {
+  updating::Location plain = where;
   plain.variant.clear();
   std::string text = typeset(updating::describe(plain));
   if (text == "everywhere") text.clear();
@@ -114,7 +114,7 @@ std::string place_words(const updating::Where& where) {
 }
 
 std::string found_words(const std::string& effect,
-                        const updating::Where& where) {
+                        const updating::Location& where) {
   const std::string place = place_words(where);
   if (place.empty()) return effect_words(effect);
   // The place is the leading kind's: another may sit elsewhere.
@@ -173,7 +173,7 @@ std::string next_words(const updating::NextMeasurement& next, double floor) {
   };
   const std::string one = named(next.one);
   const std::string other = named(next.other);
-  if (!is_telling(next, floor)) {
+  if (!is_significant(next, floor)) {
     return fmt::format(
         "No hit or sensor point would separate {} from {}: their "
         "predictions differ by {} at most, the floor is {}.",

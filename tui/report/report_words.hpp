@@ -17,11 +17,11 @@ namespace tapfit::tui {
 [[nodiscard]] std::string effect_words(const std::string& effect);
 
 /// "19 nodes, 1 … 38; rotation"; empty for everywhere.
-[[nodiscard]] std::string place_words(const updating::Where& where);
+[[nodiscard]] std::string place_words(const updating::Location& where);
 
 /// "mass of the sensors (acc1, acc2)"; of a group "a (place) or b".
 [[nodiscard]] std::string found_words(const std::string& effect,
-                                      const updating::Where& where);
+                                      const updating::Location& where);
 
 /// "an added mass (node 5)" of found_words().
 [[nodiscard]] std::string with_article(const std::string& found);

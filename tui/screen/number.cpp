@@ -113,9 +113,9 @@ NameAndUnit split_unit(std::string_view name) {
   return {plain, ""};
 }
 
-std::string place(const updating::Where& where) {
+std::string place(const updating::Location& where) {
   if (where.variant.empty()) return updating::describe(where);
-  updating::Where plain = where;
+  updating::Location plain = where;
   plain.variant.clear();
   std::string form = where.variant;
   if (form == "both") form = "rotation and translation";

@@ -47,7 +47,7 @@ struct NameAndUnit {
 
 /// As updating::describe, the variant first, where a narrow column does not
 /// cut it off: "rotation, 19 nodes (1 ... 38)".
-[[nodiscard]] std::string place(const updating::Where& where);
+[[nodiscard]] std::string place(const updating::Location& where);
 
 /// "0.0785 ± 0.0006 kg". What the data do not tell from nothing, or would have
 /// beyond its bound, is given by the end of its interval: "at most 0.75 kg".

@@ -39,7 +39,7 @@ std::string rung_of(const updating::Diagnosis& d, const Candidate& c) {
 }
 
 /// What stands in brackets is left out where it does not fit.
-std::string brief_place(const updating::Where& where, int width) {
+std::string brief_place(const updating::Location& where, int width) {
   const std::string whole = place(where);
   return clipped(fitting({whole, whole.substr(0, whole.find(" ("))}, width),
                  width);

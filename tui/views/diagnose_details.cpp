@@ -22,7 +22,7 @@ std::string verdict_words(const updating::Diagnosis& d) {
              : "nothing significant is missing";
 }
 
-std::string look_alikes(const Candidate& c) {
+std::string indistinguishable(const Candidate& c) {
   if (c.indistinguishable_from.empty()) return "uniquely identified";
   std::string text = "indistinguishable with these points from:";
   for (const updating::EffectRef& other : c.indistinguishable_from) {
@@ -71,7 +71,7 @@ std::vector<std::string> details_of(const updating::Diagnosis& d,
   paragraphs.push_back(found);
   paragraphs.push_back(all_sizes(c));
   if (!d.verdict.empty()) {
-    paragraphs.push_back(next_step(d, c) + look_alikes(c));
+    paragraphs.push_back(next_step(d, c) + indistinguishable(c));
   }
   std::vector<std::string> lines;
   for (const std::string& paragraph : paragraphs) {

@@ -14,7 +14,8 @@ namespace tapfit::tui {
 
 /// "indistinguishable with these points from: joint line 34:35", or that it is
 /// uniquely identified.
-[[nodiscard]] std::string look_alikes(const updating::Candidate& candidate);
+[[nodiscard]] std::string indistinguishable(
+    const updating::Candidate& candidate);
 
 /// What to measure to know, where the candidate is in the verdict; else empty.
 [[nodiscard]] std::string next_step(const updating::Diagnosis& diagnosis,

@@ -87,7 +87,7 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   if (const auto grid = signature_grid(*known.bundle, c)) {
     needs.push_back({Stage::Signature, *grid});
   }
-  if (state_.map) needs.push_back({Stage::SignatureMap});
+  if (state_.map) needs.push_back({Stage::LocalisationMap});
   return needs;
 }
 
@@ -96,7 +96,7 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
                         shown(known),
                         known.signatures,
                         known.wire.get(),
-                        known.signature_map.get(),
+                        known.localisation_map.get(),
                         standing_of(known),
                         known.deck.get()},
                        state_,

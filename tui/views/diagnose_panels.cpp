@@ -93,7 +93,7 @@ std::vector<std::string> cursor_lines(const Plot& plot, int width) {
 }  // namespace
 
 std::vector<int> grids_of(const acquisition::TestBundle& bundle,
-                          const updating::Where& where,
+                          const updating::Location& where,
                           const structure::Deck* deck) {
   std::vector<int> once;
   const auto add = [&once](int grid) {
@@ -152,7 +152,7 @@ void draw_signature(Screen& screen,
     return say(fmt::format("signature of grid {} …", *grid), Colour::Grey);
   }
   const Signature& s = *found->second;
-  if (!updating::is_telling(s)) {
+  if (!updating::is_significant(s)) {
     return say(fmt::format("grid {} alone explains {} % of the misfit: no plot "
                            "while most of it is elsewhere",
                            s.node,

@@ -12,7 +12,7 @@ namespace tapfit::tui {
 /// Grids that the place means: its own, those of its channels' sensors, or its
 /// elements' corners where there is a deck.
 [[nodiscard]] std::vector<int> grids_of(const acquisition::TestBundle& bundle,
-                                        const updating::Where& where,
+                                        const updating::Location& where,
                                         const structure::Deck* deck = nullptr);
 
 /// The grid that the candidate's missing stiffness is drawn of; none where it

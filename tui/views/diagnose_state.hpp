@@ -6,8 +6,8 @@
 #include "tui/widgets/table.hpp"
 #include "tui/widgets/wireframe.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
+#include "updating/localisation/localisation_map.hpp"
 #include "updating/localisation/signature.hpp"
-#include "updating/localisation/signature_map.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <map>

@@ -41,7 +41,8 @@ int write_chosen(Screen& screen,
   const std::string error =
       tried ? fmt::format("hold-out error {}; ", left_out(chosen)) : "";
   // A long list of look-alikes may be cut off, what to do about it not.
-  const std::string words = next_step(d, chosen) + error + look_alikes(chosen);
+  const std::string words =
+      next_step(d, chosen) + error + indistinguishable(chosen);
   const bool unsure = !chosen.indistinguishable_from.empty();
   return write(screen,
                y,

@@ -12,7 +12,7 @@ namespace tapfit::tui {
 namespace {
 
 std::string shift_statement(const Snapshot& known) {
-  if (!modal::is_telling(known.modes->shifts)) return {};
+  if (!modal::is_significant(known.modes->shifts)) return {};
   return modal::statement(*known.modes->shifts,
                           known.bundle
                               ? acquisition::channel_names(*known.bundle)

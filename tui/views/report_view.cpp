@@ -9,7 +9,7 @@
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"
 #include "tui/widgets/mac_map.hpp"
-#include "updating/fit/kept_fit.hpp"
+#include "updating/fit/early_stopped_fit.hpp"
 
 #include <fmt/format.h>
 

@@ -42,7 +42,7 @@ std::string name(Stage stage) {
       return "how firm the verdict is";
     case Stage::Signature:
       return "signature";
-    case Stage::SignatureMap:
+    case Stage::LocalisationMap:
       return "signature of every grid";
   }
   return "?";
@@ -82,8 +82,8 @@ bool Snapshot::has(const Need& need) const {
       return diagnosis != nullptr && !diagnosis->robustness.empty();
     case Stage::Signature:
       return signatures.contains(need.node);
-    case Stage::SignatureMap:
-      return signature_map != nullptr;
+    case Stage::LocalisationMap:
+      return localisation_map != nullptr;
   }
   return true;
 }
@@ -97,7 +97,7 @@ void Snapshot::forget_model_results() {
   diagnosis.reset();
   preliminary.reset();
   signatures.clear();
-  signature_map.reset();
+  localisation_map.reset();
 }
 
 Snapshot::Effects Snapshot::effects_on() const {

@@ -41,7 +41,7 @@ enum class Stage {
   Diagnosis,
   Robustness,  ///< of the diagnosis
   Signature,
-  SignatureMap,
+  LocalisationMap,
 };
 
 /// "hits", "diagnosis": for progress and messages.
@@ -92,7 +92,7 @@ struct Snapshot {
   std::vector<std::pair<Effects, Shared<updating::Diagnosis>>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;
   /// How well each grid alone explains what is missing, the best first.
-  Shared<std::vector<updating::GridShare>> signature_map;
+  Shared<std::vector<updating::GridShare>> localisation_map;
 
   [[nodiscard]] bool has(const Need& need) const;
   /// Drops what depends on the hits.

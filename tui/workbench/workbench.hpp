@@ -56,7 +56,8 @@ class Workbench {
   virtual std::optional<updating::Diagnosis> known_diagnosis(
       std::size_t effects, const Progress&) = 0;
   virtual updating::Signature signature(int node, const Progress&) = 0;
-  virtual std::vector<updating::GridShare> signature_map(const Progress&) = 0;
+  virtual std::vector<updating::GridShare> localisation_map(
+      const Progress&) = 0;
   virtual std::vector<updating::UpdateRecord> update_records(
       const Progress&) = 0;
   virtual std::vector<updating::Rung> ladder(const Progress&) = 0;

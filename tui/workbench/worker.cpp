@@ -4,7 +4,7 @@
 #include "modal/poles/cmif.hpp"
 #include "tui/screen/number.hpp"
 #include "updating/diagnosis/candidate.hpp"
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 #include "updating/fit/live_fit.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
@@ -177,8 +177,8 @@ void make_result(Workbench& bench,
       known.signatures[need.node] =
           shared(bench.signature(need.node, progress));
       return;
-    case Stage::SignatureMap:
-      known.signature_map = shared(bench.signature_map(progress));
+    case Stage::LocalisationMap:
+      known.localisation_map = shared(bench.localisation_map(progress));
       return;
   }
 }
@@ -273,19 +273,19 @@ std::string Worker::note_left_out() {
 }
 
 void Worker::run(Job& job) {
-  updating::FitWatch watch;
+  updating::FitObserver observer;
   // The curve to be watched is the one that is worst in the beginning.
   std::optional<std::size_t> frf;
-  watch.step = [this, &frf](const updating::FitMoment& moment) {
+  observer.step = [this, &frf](const updating::IterationSummary& summary) {
     auto live =
-        std::make_shared<updating::LiveFit>(updating::live_fit(moment, frf));
+        std::make_shared<updating::LiveFit>(updating::live_fit(summary, frf));
     frf = live->frf;
     const std::lock_guard lock(mutex_);
     status_.errors.push_back(live->error);
     status_.live = std::move(live);
   };
-  watch.enough = [this] { return keep_.load(); };
-  watch.tried = [this](const updating::Candidate& candidate) {
+  observer.enough = [this] { return keep_.load(); };
+  observer.tried = [this](const updating::Candidate& candidate) {
     const auto before = status().tried;
     auto now = shared(updating::with_tried(before.get(), candidate));
     const std::lock_guard lock(mutex_);
@@ -295,7 +295,8 @@ void Worker::run(Job& job) {
   progress.report = [this](std::string_view stage, double fraction) {
     report(stage, fraction);
   };
-  progress.watch = std::make_shared<const updating::FitWatch>(std::move(watch));
+  progress.observer =
+      std::make_shared<const updating::FitObserver>(std::move(observer));
   {
     const std::lock_guard lock(mutex_);
     progress.stop = stop_.get_token();

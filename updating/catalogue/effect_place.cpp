@@ -94,11 +94,11 @@ bool are_elements(const structure::Deck& deck, const std::vector<int>& ids) {
 
 // Of the lines that hold the grids named, the shortest; empty where no grid is
 // named or no line holds them.
-std::optional<Where> line_through(const std::vector<Where>& places,
-                                  const Where& want) {
-  std::optional<Where> line;
+std::optional<Location> line_through(const std::vector<Location>& places,
+                                     const Location& want) {
+  std::optional<Location> line;
   if (want.nodes.empty()) return line;
-  for (const Where& where : places) {
+  for (const Location& where : places) {
     if (!holds_all(where.nodes, want.nodes)) continue;
     if (!want.variant.empty() && want.variant != where.variant) continue;
     if (!line || where.nodes.size() < line->nodes.size()) line = where;
@@ -119,14 +119,14 @@ bool has_variant(const effects::Effect& effect, const std::string& word) {
          std::ranges::find(variants, word) != variants.end();
 }
 
-bool same_channels(const Where& want, const Where& where) {
+bool same_channels(const Location& want, const Location& where) {
   return std::ranges::is_permutation(want.channels, where.channels);
 }
 
 // A place that is what was asked for, or that needs no asking. An effect that
 // may sit at many grids has to be told which; no grid of the sheet means all.
-bool is_meant(const Where& want,
-              const Where& where,
+bool is_meant(const Location& want,
+              const Location& where,
               const effects::Effect& effect) {
   if (!effect.takes_any_grid() && want.node != where.node) return false;
   // Where a clamp sits that the deck has not has to be told.
@@ -138,10 +138,10 @@ bool is_meant(const Where& want,
 }
 
 // The grid that the sheet has the channels at; none where it has several.
-std::vector<int> only_grid(const std::vector<Where>& places,
-                           const Where& want) {
+std::vector<int> only_grid(const std::vector<Location>& places,
+                           const Location& want) {
   std::vector<int> only;
-  for (const Where& where : places) {
+  for (const Location& where : places) {
     if (!same_channels(want, where)) continue;
     if (!only.empty() && only != where.nodes) return {};
     only = where.nodes;
@@ -150,7 +150,7 @@ std::vector<int> only_grid(const std::vector<Where>& places,
 }
 
 // The grid, channel or runs of a place that are not there; empty where all are.
-std::string missing_part(const Where& where, const effects::Setting& s) {
+std::string missing_part(const Location& where, const effects::TestContext& s) {
   std::vector<int> grids = where.nodes;
   if (where.node != 0) grids.push_back(where.node);
   for (const int grid : grids) {
@@ -211,8 +211,8 @@ std::string remedy(const effects::Effect& effect,
 // Whether a mistake of the sheet is told in full: its channels, which it is,
 // and runs and a grid that there are.
 bool names_sheet_place(const effects::Effect& effect,
-                       const Where& want,
-                       const effects::Setting& s) {
+                       const Location& want,
+                       const effects::TestContext& s) {
   if (want.channels.empty()) return false;
   if (!effect.variants().empty() && want.variant.empty()) return false;
   const bool grid =
@@ -232,8 +232,8 @@ std::string example_place(const effects::Effect& effect) {
 
 // Throws where no element at the nearest grid holds a place between grids.
 void check_holds(const effects::Effect& effect,
-                 const Where& where,
-                 const effects::Setting& s) {
+                 const Location& where,
+                 const effects::TestContext& s) {
   if (where.at.empty() || !motion_between(*s.deck, where, 1).empty()) return;
   throw InputError(
       fmt::format("no bar or shell at grid {} holds the place {:.6g}, {:.6g}, "
@@ -248,15 +248,15 @@ void check_holds(const effects::Effect& effect,
 
 [[noreturn]] void refuse(const EffectRef& ref,
                          std::optional<ChangeKind> kind,
-                         const effects::Setting& setting) {
-  if (ref.where == Where{}) {
+                         const effects::TestContext& context) {
+  if (ref.where == Location{}) {
     throw InputError(fmt::format("{} needs a place", ref.effect),
                      fmt::format("effect \"{}\"", ref.effect),
                      fmt::format("write for example {}@{}",
                                  ref.effect,
                                  example_place(effects::find(ref.effect))));
   }
-  const std::string missing = missing_part(ref.where, setting);
+  const std::string missing = missing_part(ref.where, context);
   throw InputError(
       missing.empty() ? fmt::format("{} cannot sit there", ref.effect)
                       : missing,
@@ -270,13 +270,13 @@ void check_holds(const effects::Effect& effect,
 
 }  // namespace
 
-std::vector<Where> forms_of(const effects::Effect& effect,
-                            const std::vector<Where>& places,
-                            const effects::Setting& setting) {
-  std::vector<Where> result;
+std::vector<Location> forms_of(const effects::Effect& effect,
+                               const std::vector<Location>& places,
+                               const effects::TestContext& context) {
+  std::vector<Location> result;
   for (const std::string& form : effect.forms()) {
-    for (Where where : places) {
-      if (!effect.takes(form, where, setting)) continue;
+    for (Location where : places) {
+      if (!effect.takes(form, where, context)) continue;
       where.variant = form;
       const bool known = std::ranges::find(result, where) != result.end();
       if (!known) result.push_back(std::move(where));
@@ -342,15 +342,17 @@ EffectRef parse_effect(const std::string& text) {
   return ref;
 }
 
-PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
+EffectInstance place_effect(const EffectRef& ref,
+                            const effects::TestContext& s) {
   const effects::Effect& effect = effects::find(ref.effect);
   const auto kind = effect.changes_stiffness();
-  Where want = ref.where;
+  Location want = ref.where;
   if (is_along_axis(want) && effects::component_of(want, s) == s.component) {
     want.variant.clear();
   }
-  std::vector<Where> places = effect.places(s);
-  for (const Where& form : forms_of(effect, places, s)) places.push_back(form);
+  std::vector<Location> places = effect.places(s);
+  for (const Location& form : forms_of(effect, places, s))
+    places.push_back(form);
   if (kind == ChangeKind::Elements && !want.elements.empty() &&
       are_elements(*s.deck, want.elements)) {
     return placed(effect, want, s);
@@ -378,11 +380,11 @@ PlacedEffect place_effect(const EffectRef& ref, const effects::Setting& s) {
   const bool any_grid = effect.takes_any_grid();
   const bool at_sheet = effect.at_sheet_points();
   if (any_grid && want.nodes.empty()) want.nodes = only_grid(places, want);
-  for (const Where& where : places) {
+  for (const Location& where : places) {
     if (local || (at_sheet && !names_sheet_place(effect, want, s))) break;
     if (!is_meant(want, where, effect)) continue;
     if (any_grid && share({want.node}, where.nodes)) continue;
-    Where there = where;
+    Location there = where;
     there.at = want.at;
     if (any_grid) there.node = want.node;
     there.runs = want.runs;

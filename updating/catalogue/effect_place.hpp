@@ -2,8 +2,8 @@
 // test's model.
 #pragma once
 
+#include "updating/effects/effect_instance.hpp"
 #include "updating/effects/effect_ref.hpp"
-#include "updating/effects/placed_effect.hpp"
 #include "updating/places/location.hpp"
 
 #include <string>
@@ -18,16 +18,17 @@ namespace tapfit::updating {
 [[nodiscard]] EffectRef parse_effect(const std::string& text);
 
 /// The effect's forms at those of the places that take them, each once.
-[[nodiscard]] std::vector<Where> forms_of(const effects::Effect& effect,
-                                          const std::vector<Where>& places,
-                                          const effects::Setting& setting);
+[[nodiscard]] std::vector<Location> forms_of(
+    const effects::Effect& effect,
+    const std::vector<Location>& places,
+    const effects::TestContext& context);
 
 /// The catalogue's place that the reference means, with starting sizes: fields
 /// that it leaves open are filled from the first place that agrees with those
 /// it gives; the grid of a sheet only where it has the channel at no other.
 ///
 /// @throws InputError when the effect has no such place in this model
-[[nodiscard]] PlacedEffect place_effect(const EffectRef& ref,
-                                        const effects::Setting& setting);
+[[nodiscard]] EffectInstance place_effect(const EffectRef& ref,
+                                          const effects::TestContext& context);
 
 }  // namespace tapfit::updating

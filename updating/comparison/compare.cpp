@@ -39,7 +39,7 @@ ModelModes model_modes(const Fit& fit,
                        const MatrixXd& at_dofs) {
   const FrfModel& model = *fit.model;
   const ModelState& state = fit.result.state;
-  const double top = 2.0 * std::numbers::pi * 1.5 * model.setting().high_hz;
+  const double top = 2.0 * std::numbers::pi * 1.5 * model.context().high_hz;
   const Index count = std::max<Index>((full.omega.array() < top).count(),
                                       std::min<Index>(1, full.omega.size()));
   ModelModes modes;
@@ -52,13 +52,13 @@ ModelModes model_modes(const Fit& fit,
   modes.damping_ratio.head(known) = state.zeta.head(known);
   const MatrixXd phi = full.phi.leftCols(count);
   modes.at_dofs = at_dofs.leftCols(count);
-  const auto grids = static_cast<Index>(model.setting().deck->grids.size());
+  const auto grids = static_cast<Index>(model.context().deck->grids.size());
   modes.at_grids.resize(3 * grids, count);
   const MatrixXd motion = model.base().rows * phi;
   for (Index g = 0; g < grids; ++g) {
     modes.at_grids.middleRows(3 * g, 3) = motion.middleRows(6 * g, 3);
   }
-  const structure::Deck& deck = *model.setting().deck;
+  const structure::Deck& deck = *model.context().deck;
   for (const structure::MeasuringPoint& point : deck.measuring) {
     const auto g = static_cast<Index>(deck.grid_index(point.grid));
     modes.at_grids.middleRows(3 * g, 3) =
@@ -124,12 +124,12 @@ void pair_up(const modal::ModeSet& modes,
 void errors(const Target& target,
             const MatrixXcd& H,
             const signal::FrfSet& frfs,
-            const effects::Setting& setting,
+            const effects::TestContext& context,
             Comparison& c) {
   c.error = relative_error(target, H);
   const Index lines = target.s.size();
-  const double low = std::log(std::max(setting.low_hz, 1e-6));
-  const double width = (std::log(setting.high_hz) - low) / band_count;
+  const double low = std::log(std::max(context.low_hz, 1e-6));
+  const double width = (std::log(context.high_hz) - low) / band_count;
   Index first = 0;
   std::vector<std::pair<Index, Index>> ranges;
   for (int b = 0; b < band_count; ++b) {
@@ -183,7 +183,7 @@ Comparison compare(const Fit& fit,
   if (target.is_modal()) {
     c.error = relative_error(target, at_target.H);
   } else {
-    errors(target, at_target.H, frfs, fit.model->setting(), c);
+    errors(target, at_target.H, frfs, fit.model->context(), c);
     const ModelResponse shown = fit.model->respond(state, frfs.s, false);
     for (Index f = 0; f < shown.H.cols(); ++f) {
       c.model_frfs.emplace_back(shown.H.col(f));

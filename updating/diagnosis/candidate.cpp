@@ -6,12 +6,12 @@
 
 namespace tapfit::updating {
 
-Candidate candidate_of(const Fit& fit, const effects::Setting& setting) {
-  const PlacedEffect& own = fit.effects.back();
+Candidate candidate_of(const Fit& fit, const effects::TestContext& context) {
+  const EffectInstance& own = fit.effects.back();
   Candidate c;
   c.effect = own.effect->name();
   c.where = own.where;
-  c.parameters = effect_estimates(fit, fit.effects.size() - 1, setting);
+  c.parameters = effect_estimates(fit, fit.effects.size() - 1, context);
   c.error = fit.result.error;
   return c;
 }

@@ -9,7 +9,7 @@ namespace tapfit::updating {
 
 /// The fit's last effect; how probable it is no fit says by itself.
 [[nodiscard]] Candidate candidate_of(const Fit& fit,
-                                     const effects::Setting& setting);
+                                     const effects::TestContext& context);
 
 /// What was tried so far, the least error first, with no verdict.
 /// @param before of the same search; may be null

@@ -48,7 +48,7 @@ std::optional<SetUpMistake> card_swap(const Fitter& fitter,
     least = std::min(least, effect.error);
   }
   if (least <= clear_of_floor * options.floor) return std::nullopt;
-  std::vector<CardSlip> likely = card_slips(*fitter.setting().setting.deck);
+  std::vector<CardSlip> likely = card_slips(*fitter.problem().context.deck);
   likely.resize(std::min(most_slips, likely.size()));
   const SlipFits fits =
       fit_slips(fitter, worth_a_base(likely, fitter, progress), progress);
@@ -59,7 +59,7 @@ std::optional<SetUpMistake> card_swap(const Fitter& fitter,
                       std::log(static_cast<double>(likely.size()));
   const bool less = best->error < worth_it * std::min(least, fits.plain.error);
   if (!less || gain < very_strong) return std::nullopt;
-  Where where;
+  Location where;
   where.elements = best->elements;
   return SetUpMistake{"card-swap",
                       std::move(where),

@@ -2,15 +2,15 @@
 
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/classify_diagnosis.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/diagnosis/made_fit.hpp"
 #include "updating/diagnosis/next_measurement.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
-#include "updating/diagnosis/set_verdict.hpp"
 #include "updating/diagnosis/stepwise_selection.hpp"
 #include "updating/diagnosis/worth.hpp"
-#include "updating/fit/held_back.hpp"
+#include "updating/fit/active_constraints.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/localisation/run_drift.hpp"
 #include "updating/residual/independent_data.hpp"
@@ -43,15 +43,15 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
   std::vector<NextMeasurement> result;
   for (const Rung& rung : ladder) {
     if (rung.alike.empty()) continue;
-    std::vector<PlacedEffect> effects = fit.effects;
+    std::vector<EffectInstance> effects = fit.effects;
     const auto own = std::find_if(
-        effects.begin(), effects.end(), [&rung](const PlacedEffect& e) {
+        effects.begin(), effects.end(), [&rung](const EffectInstance& e) {
           return e.effect->name() == leading_kind(rung) &&
                  e.where == rung.where;
         });
     if (own == effects.end()) continue;
     std::rotate(own, own + 1, effects.end());
-    const auto fit_last = [&](const PlacedEffect& last) {
+    const auto fit_last = [&](const EffectInstance& last) {
       effects.back() = last;
       return fitter.fit(effects, fitter.model_for(effects), progress);
     };
@@ -62,7 +62,7 @@ std::vector<NextMeasurement> next_measurements(const Fit& fit,
     }
     const Fit one = fit_last(effects.back());
     const Fit other = fit_last(placed(
-        effects::find(rival.effect), rival.where, fitter.setting().setting));
+        effects::find(rival.effect), rival.where, fitter.problem().context));
     if (const auto next = next_measurement(one, other, fitter)) {
       result.push_back(*next);
     }
@@ -102,13 +102,13 @@ void warn_of_bounds(Diagnosis& result) {
 // For each rung of the ladder what was tried in its place.
 std::vector<std::vector<MadeFit>> tried_for(
     const std::vector<Rung>& ladder, const StepwiseSelection& selection) {
-  const std::vector<PlacedEffect>& all = selection.current().effects;
-  const std::vector<Chosen>& chosen = selection.chosen();
+  const std::vector<EffectInstance>& all = selection.current().effects;
+  const std::vector<SelectedEffect>& chosen = selection.chosen();
   const std::size_t already = all.size() - chosen.size();
   std::vector<std::vector<MadeFit>> tried;
   for (const Rung& rung : ladder) {
     for (std::size_t k = 0; k < chosen.size(); ++k) {
-      const PlacedEffect& own = all[already + k];
+      const EffectInstance& own = all[already + k];
       if (own.effect->name() != leading_kind(rung)) continue;
       if (own.where == rung.where) tried.push_back(chosen[k].tried);
     }
@@ -123,7 +123,7 @@ struct Climbed {
 };
 
 Climbed climbed(const Fitter& fitter,
-                const std::vector<PlacedEffect>& present,
+                const std::vector<EffectInstance>& present,
                 const DiagnoseOptions& options,
                 const Progress& progress) {
   StepwiseSelection selection(
@@ -131,7 +131,7 @@ Climbed climbed(const Fitter& fitter,
   Diagnosis result;
   result.floor = options.floor;
   result.contour = options.contour;
-  result.warnings = fitter.setting().measured.statements;
+  result.warnings = fitter.problem().measured.statements;
   result.error_base = selection.current().result.error;
   result.error_fitted = result.error_base;
   // Whether another rung follows is not known: each gets a good part of what is
@@ -165,16 +165,16 @@ Climbed climbed(const Fitter& fitter,
                    result.error_best,
                    selection.held_out_error());
   result.model_parameters = property_estimates(likeliest, options.properties);
-  result.model_form = model_form(likeliest, *fitter.setting().setting.deck);
+  result.model_form = model_form(likeliest, *fitter.problem().context.deck);
   warn_of_bounds(result);
-  for (const Chosen& it : selection.chosen()) {
+  for (const SelectedEffect& it : selection.chosen()) {
     if (it.extent) result.warnings.push_back(statement(*it.extent));
   }
   const auto fitted =
-      all_estimates(found, options.properties, fitter.setting().setting);
-  set_verdict(fitter.setting().measured.level,
-              held_back(options.properties, fitted),
-              result);
+      all_estimates(found, options.properties, fitter.problem().context);
+  classify_diagnosis(fitter.problem().measured.level,
+                     active_constraints(options.properties, fitted),
+                     result);
   if (result.verdict == "none" &&
       may_hide_effect(result.error_best,
                       floor_of(found, fitter.target(), options))) {
@@ -193,19 +193,19 @@ Climbed climbed(const Fitter& fitter,
 }  // namespace
 
 Diagnosis diagnose(const Fitter& fitter,
-                   const std::vector<PlacedEffect>& present,
+                   const std::vector<EffectInstance>& present,
                    const DiagnoseOptions& options,
                    const Progress& progress) {
-  const Progress whole = never_falling(progress);
+  const Progress whole = monotonic(progress);
   Climbed ladder = climbed(fitter, present, options, whole);
   Diagnosis result = std::move(ladder.diagnosis);
   if (const auto drift = run_drift(ladder.top, fitter.target());
-      drift && is_telling(*drift)) {
+      drift && is_significant(*drift)) {
     result.warnings.push_back(statement(*drift));
     if (result.verdict == "none") result.verdict = "unexplained";
   }
   result.set_up =
-      set_up_mistakes(result.ladder, *fitter.setting().setting.bundle);
+      set_up_mistakes(result.ladder, *fitter.problem().context.bundle);
   for (const SetUpMistake& mistake : result.set_up) {
     result.warnings.push_back(describe(mistake));
   }

@@ -18,7 +18,7 @@ namespace tapfit::updating {
 
 /// @param present effects already in the model; their fit is the start
 [[nodiscard]] Diagnosis diagnose(const Fitter& fitter,
-                                 const std::vector<PlacedEffect>& present,
+                                 const std::vector<EffectInstance>& present,
                                  const DiagnoseOptions& options,
                                  const Progress& progress = {});
 

@@ -18,7 +18,7 @@ struct DiagnoseOptions {
   double floor_noise = 0.0;  ///< the measurement's own share of it
   std::string contour;
   std::vector<PropertyName> properties;
-  /// As of FitWatch, or empty.
+  /// As of FitObserver, or empty.
   std::function<void(const Candidate& candidate)> tried = {};
 };
 

@@ -6,12 +6,12 @@
 
 namespace tapfit::updating {
 
-bool is_telling(const NextMeasurement& next, double floor) {
+bool is_significant(const NextMeasurement& next, double floor) {
   return next.difference > std::max(floor, 2.0 * next.difference_now);
 }
 
 std::string advice(const NextMeasurement& next, double floor) {
-  if (!is_telling(next, floor)) {
+  if (!is_significant(next, floor)) {
     return fmt::format(
         "no hit or sensor point would tell them apart (at best {:.2g} % "
         "between their predictions, the floor is {:.2g} %)",

@@ -29,7 +29,7 @@ struct NextMeasurement {
 
 struct Candidate {
   std::string effect;  ///< catalogue name, for example "added-mass"
-  Where where;
+  Location where;
   std::vector<Estimate> parameters;
   double probability = 0.0;
   double error = 0.0;           ///< after adding it, all refitted
@@ -41,7 +41,7 @@ struct Candidate {
 struct SetUpMistake {
   /// Catalogue name, for example "point-mislabelled"; or "card-swap".
   std::string mistake;
-  Where where;
+  Location where;
   double probability = 0.0;
   double error = 0.0;  ///< relative FRF error with it put right
   std::string edit;    ///< what to correct, see sheet_edits() and CardSlip
@@ -87,7 +87,7 @@ struct Diagnosis {
 
 /// Whether that measurement would show which of the two it is: they differ by
 /// more than the floor there, and by twice what they do so far.
-[[nodiscard]] bool is_telling(const NextMeasurement& next, double floor);
+[[nodiscard]] bool is_significant(const NextMeasurement& next, double floor);
 
 /// "hit 12Z+, move acc2 to 40Z+: predictions differ by 8 % (0.4 % so far)", or
 /// that no point tells the two apart.

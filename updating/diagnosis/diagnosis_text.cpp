@@ -9,7 +9,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Dof, node, component, sign)
 namespace tapfit::updating {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Where, node, nodes, elements, channels, variant, at, runs)
+    Location, node, nodes, elements, channels, variant, at, runs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Estimate, name, value, sd, lo95, hi95, unit, at_bound)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EffectRef, effect, where)

@@ -29,14 +29,14 @@ void widen(const std::vector<double>& place_sd,
 }  // namespace
 
 std::vector<Rung> ladder_of(const Fit& fit,
-                            const std::vector<Chosen>& all,
+                            const std::vector<SelectedEffect>& all,
                             std::size_t already,
                             const Fitter& fitter,
                             const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
+  const effects::TestContext& context = fitter.problem().context;
   std::vector<std::size_t> left;
   for (std::size_t k = already; k < fit.effects.size(); ++k) left.push_back(k);
-  std::vector<PlacedEffect> so_far(
+  std::vector<EffectInstance> so_far(
       fit.effects.begin(),
       fit.effects.begin() + static_cast<std::ptrdiff_t>(already));
   std::vector<Rung> ladder;
@@ -48,7 +48,7 @@ std::vector<Rung> ladder_of(const Fit& fit,
         least = fit.result.error;
         break;
       }
-      std::vector<PlacedEffect> tried = so_far;
+      std::vector<EffectInstance> tried = so_far;
       tried.push_back(fit.effects[k]);
       const Fit with = fitter.fit(tried, fitter.model_for(tried), progress);
       if (with.result.error < least) {
@@ -62,7 +62,7 @@ std::vector<Rung> ladder_of(const Fit& fit,
     rung.alike = all[next - already].alike;
     rung.where = fit.effects[next].where;
     rung.error = least;
-    rung.parameters = effect_estimates(fit, next, setting);
+    rung.parameters = effect_estimates(fit, next, context);
     if (const auto& extent = all[next - already].extent) {
       widen(*extent, rung.parameters.front());
     }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/forward_selection.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/fit/rung.hpp"
 
@@ -19,11 +19,12 @@ namespace tapfit::updating {
 /// @param all what was chosen, in the order of the fit's effects
 /// @param already effects of the fit that were in the model before
 /// @throws Stopped where the progress says so
-[[nodiscard]] std::vector<Rung> ladder_of(const Fit& fit,
-                                          const std::vector<Chosen>& all,
-                                          std::size_t already,
-                                          const Fitter& fitter,
-                                          const Progress& progress);
+[[nodiscard]] std::vector<Rung> ladder_of(
+    const Fit& fit,
+    const std::vector<SelectedEffect>& all,
+    std::size_t already,
+    const Fitter& fitter,
+    const Progress& progress);
 
 /// Candidates that made it into the model are reported as fitted with all
 /// others, first and in the ladder's order.

@@ -6,7 +6,7 @@ namespace tapfit::updating {
 MadeFit as_made(const Fit& fit) {
   const ModelState& state = fit.result.state;
   MadeFit made;
-  for (const PlacedEffect& e : fit.effects) {
+  for (const EffectInstance& e : fit.effects) {
     made.effects.push_back({e.effect->name(), e.where});
     made.sizes.push_back(e.p);
   }
@@ -16,12 +16,12 @@ MadeFit as_made(const Fit& fit) {
   return made;
 }
 
-Fit where_it_ended(const MadeFit& made, const effects::Setting& setting) {
+Fit where_it_ended(const MadeFit& made, const effects::TestContext& context) {
   Fit fit;
   for (std::size_t k = 0; k < made.effects.size(); ++k) {
     const EffectRef& ref = made.effects[k];
     fit.effects.push_back(
-        placed(effects::find(ref.effect), ref.where, setting));
+        placed(effects::find(ref.effect), ref.where, context));
     fit.effects.back().p = made.sizes[k];
   }
   ModelState& state = fit.result.state;

@@ -10,6 +10,6 @@ namespace tapfit::updating {
 
 /// Where it ended: all that Fitter::fit_beside() goes on from.
 [[nodiscard]] Fit where_it_ended(const MadeFit& made,
-                                 const effects::Setting& setting);
+                                 const effects::TestContext& context);
 
 }  // namespace tapfit::updating

@@ -1,6 +1,6 @@
 #include "updating/diagnosis/named_diagnosis.hpp"
 
-#include "updating/fit/held_back.hpp"
+#include "updating/fit/active_constraints.hpp"
 #include "updating/search/screened.hpp"
 
 #include <fmt/format.h>

@@ -15,7 +15,7 @@ namespace tapfit::updating {
 /// @param ladder base rung first
 /// @param comparison its floor counts
 /// @param held what else than the data holds the parameters: see
-/// held_back()
+/// active_constraints()
 [[nodiscard]] Diagnosis diagnosis_of_named(
     const std::vector<Rung>& ladder,
     const Comparison& comparison,

@@ -33,11 +33,12 @@ void expect(Plan& plan, std::size_t run, const Placement& sensor, bool moved) {
 }
 
 // Grids that can be hit and measured: what is held does not move.
-std::vector<int> reachable(const Fit& fit, const effects::Setting& setting) {
+std::vector<int> reachable(const Fit& fit,
+                           const effects::TestContext& context) {
   std::vector<int> grids;
-  for (const structure::Grid& grid : setting.deck->grids) {
+  for (const structure::Grid& grid : context.deck->grids) {
     if (grid.id > 0 &&
-        fit.model->row(grid.id, setting.component).norm() > 0.0) {
+        fit.model->row(grid.id, context.component).norm() > 0.0) {
       grids.push_back(grid.id);
     }
   }
@@ -49,13 +50,13 @@ std::vector<int> reachable(const Fit& fit, const effects::Setting& setting) {
   return tried;
 }
 
-Plan plan_for(const Fit& fit, const effects::Setting& setting) {
+Plan plan_for(const Fit& fit, const effects::TestContext& context) {
   Plan plan;
-  plan.bundle = *setting.bundle;
-  const Run as_it_was = setting.bundle->runs.front();
+  plan.bundle = *context.bundle;
+  const Run as_it_was = context.bundle->runs.front();
   plan.bundle.runs.clear();
-  for (const int grid : reachable(fit, setting)) {
-    const Dof here{grid, setting.component, 1};
+  for (const int grid : reachable(fit, context)) {
+    const Dof here{grid, context.component, 1};
     const std::size_t hit = plan.bundle.runs.size();
     plan.bundle.runs.push_back(as_it_was);
     plan.bundle.runs.back().hammer.dof = here;
@@ -73,9 +74,9 @@ Plan plan_for(const Fit& fit, const effects::Setting& setting) {
 }
 
 MatrixXcd predict(const Fit& fit, const Fitter& fitter, const Plan& plan) {
-  effects::Setting setting = fitter.setting().setting;
-  setting.bundle = &plan.bundle;
-  FrfModel model(fit.model->base(), setting, plan.frfs);
+  effects::TestContext context = fitter.problem().context;
+  context.bundle = &plan.bundle;
+  FrfModel model(fit.model->base(), context, plan.frfs);
   model.set_reference(fitter.first_state(model, fit.effects));
   return model.respond(fit.result.state, fitter.target().s, false).H;
 }
@@ -97,11 +98,11 @@ EffectRef last_of(const Fit& fit) {
 std::optional<NextMeasurement> next_measurement(const Fit& a,
                                                 const Fit& b,
                                                 const Fitter& fitter) {
-  const effects::Setting& setting = fitter.setting().setting;
+  const effects::TestContext& context = fitter.problem().context;
   const Target& target = fitter.target();
   // Of modes it is not known how they were measured.
-  if (setting.bundle->runs.empty()) return std::nullopt;
-  const Plan plan = plan_for(a, setting);
+  if (context.bundle->runs.empty()) return std::nullopt;
+  const Plan plan = plan_for(a, context);
   if (plan.frfs.frfs.empty()) return std::nullopt;
   const auto now = [&target](const Fit& fit) {
     return fit.model->respond(fit.result.state, target.s, false).H;

@@ -10,10 +10,11 @@
 namespace tapfit::updating {
 namespace {
 
-PatchExtent extent_of(const Hypothesis& h, const effects::Setting& setting) {
+PatchExtent extent_of(const Hypothesis& h,
+                      const effects::TestContext& context) {
   const std::size_t size = h.own().where.elements.size();
   const Estimate factor =
-      effect_estimates(h.fit, h.fit.effects.size() - 1, setting).front();
+      effect_estimates(h.fit, h.fit.effects.size() - 1, context).front();
   return {size, size, factor.lo95, factor.hi95};
 }
 
@@ -28,9 +29,9 @@ void join(const PatchExtent& one, PatchExtent& all) {
 
 std::optional<PatchExtent> patch_extent(
     const std::vector<Hypothesis>& hypotheses,
-    const PlacedEffect& own,
+    const EffectInstance& own,
     double explained,
-    const effects::Setting& setting) {
+    const effects::TestContext& context) {
   if (own.effect->changes_stiffness() != ChangeKind::Elements) {
     return std::nullopt;
   }
@@ -44,7 +45,7 @@ std::optional<PatchExtent> patch_extent(
       continue;
     }
     ++patches;
-    const PatchExtent one = extent_of(h, setting);
+    const PatchExtent one = extent_of(h, context);
     if (all) {
       join(one, *all);
     } else {

@@ -28,9 +28,9 @@ struct PatchExtent {
 /// @param explained the floor
 [[nodiscard]] std::optional<PatchExtent> patch_extent(
     const std::vector<Hypothesis>& hypotheses,
-    const PlacedEffect& own,
+    const EffectInstance& own,
     double explained,
-    const effects::Setting& setting);
+    const effects::TestContext& context);
 
 /// Widens the interval of a factor, and its deviation with it.
 void widen(const PatchExtent& extent, Estimate& factor);

@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 
 // What was fitted at one place.
 struct Tried {
-  Where where;
+  Location where;
   double log_likelihood = 0.0;
   VectorXd log_p;
 };
@@ -38,13 +38,13 @@ Tried tried_at(const Hypothesis& h, const Judgement& judgement) {
 }
 
 // Fits the effect at several places, in one base.
-std::vector<Hypothesis> fit_at(const std::vector<Where>& places,
+std::vector<Hypothesis> fit_at(const std::vector<Location>& places,
                                const Hypothesis& like,
                                const Fit& current,
                                const Fitter& fitter,
                                const Progress& progress) {
-  std::vector<PlacedEffect> all = current.effects;
-  for (const Where& where : places) {
+  std::vector<EffectInstance> all = current.effects;
+  for (const Location& where : places) {
     all.push_back(like.own());
     all.back().where = where;
   }
@@ -52,7 +52,7 @@ std::vector<Hypothesis> fit_at(const std::vector<Where>& places,
   std::vector<Hypothesis> result(places.size());
   const Progress quiet{{}, progress.stop};
   for_each_parallel(places.size(), [&](std::size_t k) {
-    std::vector<PlacedEffect> effects = current.effects;
+    std::vector<EffectInstance> effects = current.effects;
     effects.push_back(like.own());
     effects.back().where = places[k];
     result[k].fit = fitter.fit_beside(like.fit, effects, model, quiet);
@@ -159,7 +159,7 @@ std::vector<double> deviations(const Quadratic& q) {
 
 // Places where the quadratic has its top and where it is about one below.
 struct Ring {
-  std::vector<Where> places;
+  std::vector<Location> places;
   double reach = 0.0;  // the longest way from its middle, in grid spacings
 };
 
@@ -188,7 +188,7 @@ Ring ring_around(const Quadratic& q,
   ring.reach = way.maxCoeff();
   const Vector3d from = position_of(top.where, deck);
   for (const VectorXd& z : off) {
-    std::vector<Where> there =
+    std::vector<Location> there =
         moved_to(top.where, from + q.axes * (middle + z), deck);
     std::move(there.begin(), there.end(), std::back_inserter(ring.places));
   }
@@ -198,9 +198,9 @@ Ring ring_around(const Quadratic& q,
 // How far the places that were looked at are from the next, in sides of an
 // element: more than one on a fine mesh.
 double places_apart(const Hypothesis& best, const Fitter& fitter) {
-  const structure::Deck& deck = *fitter.setting().setting.deck;
-  const Where& own = best.own().where;
-  const std::vector<Where> near =
+  const structure::Deck& deck = *fitter.problem().context.deck;
+  const Location& own = best.own().where;
+  const std::vector<Location> near =
       places_near(own, fitter.places(*best.own().effect), deck, 1);
   return sides_apart(own, near.back().node, deck);
 }
@@ -218,11 +218,11 @@ Hypothesis settle_place(const Hypothesis& best,
   constexpr double worth_moving = 2.0;
   // Each looks at least twice as closely as the last.
   constexpr int most_turns = 3;
-  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const structure::Deck& deck = *fitter.problem().context.deck;
   Hypothesis settled = best;
   Tried top = tried_at(best, judgement);
   std::vector<Tried> tried = {top};
-  const auto take = [&](const std::vector<Where>& places) {
+  const auto take = [&](const std::vector<Location>& places) {
     for (Hypothesis& h : fit_at(places, settled, current, fitter, progress)) {
       tried.push_back(tried_at(h, judgement));
       if (tried.back().log_likelihood <= top.log_likelihood) continue;
@@ -232,7 +232,7 @@ Hypothesis settle_place(const Hypothesis& best,
   };
   const double spacing = places_apart(best, fitter);
   for (const double step : steps) {
-    const std::vector<Where> places =
+    const std::vector<Location> places =
         places_around(top.where, step * spacing, deck);
     if (!places.empty()) take(places);
   }

@@ -12,8 +12,8 @@
 namespace tapfit::updating {
 namespace {
 
-std::vector<Candidate> candidates_of(const Round& round,
-                                     const effects::Setting& setting) {
+std::vector<Candidate> candidates_of(const CandidateRanking& round,
+                                     const effects::TestContext& context) {
   std::vector<Candidate> result;
   std::map<std::string, int> shown;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
@@ -21,9 +21,9 @@ std::vector<Candidate> candidates_of(const Round& round,
     const std::string kind = h.own().effect->name();
     // A long list of neighbours says nothing new.
     if (++shown[kind] > 3) continue;
-    Candidate c = candidate_of(h.fit, setting);
+    Candidate c = candidate_of(h.fit, context);
     c.probability = round.probability[k + 1];
-    c.indistinguishable_from = look_alikes(round, k);
+    c.indistinguishable_from = indistinguishable(round, k);
     result.push_back(std::move(c));
   }
   return result;
@@ -32,7 +32,7 @@ std::vector<Candidate> candidates_of(const Round& round,
 }  // namespace
 
 StepwiseSelection::Choice StepwiseSelection::choose(
-    const Round& round, bool first, const Progress& progress) const {
+    const CandidateRanking& round, bool first, const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
   worth.share = share_to_reach(current_.result.error, floor());
@@ -40,7 +40,7 @@ StepwiseSelection::Choice StepwiseSelection::choose(
   if (!first || !leaves_much(round.hypotheses.front().fit))
     return {0, worth, {}};
   // What it is worth shows on the next rung.
-  RungSearch::Pair pair = search_.best_pair(current_, round, progress);
+  ForwardSelection::Pair pair = search_.best_pair(current_, round, progress);
   worth.share = 1.0;
   worth.gain = std::max(worth.gain, pair.gain);
   return {pair.first, worth, std::move(pair.next)};
@@ -50,7 +50,7 @@ bool StepwiseSelection::step(bool first, const Progress& progress) {
   // At the floor there is nothing to explain; on the first rung the candidates
   // are still worked out for show.
   if (!first && is_explained(current_.result.error, floor())) return false;
-  using Depth = RungSearch::Depth;
+  using Depth = ForwardSelection::Depth;
   if (try_to_add(first,
                  first ? Depth::Thorough : Depth::Quick,
                  part_of(progress, 0.0, 0.9))) {
@@ -61,9 +61,9 @@ bool StepwiseSelection::step(bool first, const Progress& progress) {
   // effect's.
   const double left = current_.result.error;
   if (!is_left_unexplained()) return false;
-  if (follows_the_force(fitter_->setting().measured.level, left)) return false;
+  if (follows_the_force(fitter_->problem().measured.level, left)) return false;
   const auto drift = run_drift(current_, fitter_->target());
-  if (drift && is_telling(*drift)) return false;
+  if (drift && is_significant(*drift)) return false;
   return try_to_add(first, Depth::LastResort, part_of(progress, 0.9, 1.0));
 }
 
@@ -75,14 +75,14 @@ void StepwiseSelection::settle() {
 }
 
 bool StepwiseSelection::try_to_add(bool first,
-                                   RungSearch::Depth depth,
+                                   ForwardSelection::Depth depth,
                                    const Progress& progress) {
-  const bool known = next_ && depth == RungSearch::Depth::Quick;
-  const Round round =
+  const bool known = next_ && depth == ForwardSelection::Depth::Quick;
+  const CandidateRanking round =
       known ? *std::exchange(next_, std::nullopt)
             : search_.look(current_, depth, part_of(progress, 0.0, 0.75));
   const Progress rest = part_of(progress, 0.75, 1.0);
-  if (first) candidates_ = candidates_of(round, fitter_->setting().setting);
+  if (first) candidates_ = candidates_of(round, fitter_->problem().context);
   if (round.hypotheses.empty()) return false;
   passed_over_ = strongest_of(round, 0);
   if (is_explained(current_.result.error, floor())) return false;
@@ -96,7 +96,7 @@ bool StepwiseSelection::try_to_add(bool first,
   before_pair_.reset();  // a second followed
   if (!worth.earned()) before_pair_ = {current_, held_out_};
   passed_over_.clear();
-  chosen_.push_back(search_.as_chosen(round, best));
+  chosen_.push_back(search_.as_selected(round, best));
   if (best != 0) {
     chosen_.back().name = added.own().effect->name();
     chosen_.back().alike.clear();

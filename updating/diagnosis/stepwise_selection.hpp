@@ -4,7 +4,7 @@
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
-#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/forward_selection.hpp"
 #include "updating/diagnosis/worth.hpp"
 
 #include <cmath>
@@ -18,7 +18,7 @@ namespace tapfit::updating {
 class StepwiseSelection {
  public:
   StepwiseSelection(const Fitter& fitter,
-                    const std::vector<PlacedEffect>& present,
+                    const std::vector<EffectInstance>& present,
                     const DiagnoseOptions& options,
                     const Progress& progress)
       : fitter_(&fitter),
@@ -42,7 +42,9 @@ class StepwiseSelection {
                                          const Progress& progress) const {
     return ladder_of(likeliest, chosen_, already_, *fitter_, progress);
   }
-  [[nodiscard]] const std::vector<Chosen>& chosen() const { return chosen_; }
+  [[nodiscard]] const std::vector<SelectedEffect>& chosen() const {
+    return chosen_;
+  }
   /// The strongest that did not earn their place on top.
   [[nodiscard]] const std::vector<MadeFit>& passed_over() const {
     return passed_over_;
@@ -54,7 +56,7 @@ class StepwiseSelection {
 
  private:
   bool try_to_add(bool first,
-                  RungSearch::Depth depth,
+                  ForwardSelection::Depth depth,
                   const Progress& progress);
   // Where a selection stands.
   struct Stand {
@@ -67,9 +69,9 @@ class StepwiseSelection {
   struct Choice {
     std::size_t best = 0;
     Worth worth;
-    std::optional<Round> next;
+    std::optional<CandidateRanking> next;
   };
-  [[nodiscard]] Choice choose(const Round& round,
+  [[nodiscard]] Choice choose(const CandidateRanking& round,
                               bool first,
                               const Progress& progress) const;
   [[nodiscard]] FormShare form_of(const Fit& fit) const {
@@ -92,14 +94,15 @@ class StepwiseSelection {
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
-  RungSearch search_;
+  ForwardSelection search_;
   std::size_t already_;
   Fit current_;
   double base_error_;
   double held_out_;
   std::optional<Stand> before_pair_;
-  std::optional<Round> next_;  // a quick look from where the selection stands
-  std::vector<Chosen> chosen_;
+  std::optional<CandidateRanking>
+      next_;  // a quick look from where the selection stands
+  std::vector<SelectedEffect> chosen_;
   std::vector<Candidate> candidates_;
   std::vector<MadeFit> passed_over_;
 };

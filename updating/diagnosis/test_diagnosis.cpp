@@ -5,7 +5,7 @@
 #include "updating/diagnosis/card_swap.hpp"
 #include "updating/diagnosis/diagnose.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 
 namespace tapfit::updating {
 
-DiagnoseOptions options_of_test(const FitGround& ground,
+DiagnoseOptions options_of_test(const FitContext& ground,
                                 const Comparison& base) {
   DiagnoseOptions options;
   options.floor = std::hypot(base.floor_noise, base.floor_mesh);
@@ -23,15 +23,15 @@ DiagnoseOptions options_of_test(const FitGround& ground,
   return options;
 }
 
-Diagnosis diagnose_test(const FitGround& ground,
+Diagnosis diagnose_test(const FitContext& ground,
                         const Fit& current,
                         const Comparison& base,
                         const MeasuredTest& test,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
   DiagnoseOptions options = options_of_test(ground, base);
-  if (const FitWatch* watch = fit_watch(progress)) {
-    options.tried = watch->tried;
+  if (const FitObserver* observer = fit_observer(progress)) {
+    options.tried = observer->tried;
   }
   Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);
   if (current.effects.empty()) {
@@ -42,9 +42,9 @@ Diagnosis diagnose_test(const FitGround& ground,
   }
   // Nothing fitted yet: the base is the deck as it is.
   if (current.result.history.empty()) d.error_base = base.error;
-  if (const auto& shifts = test.modes.shifts; modal::is_telling(shifts)) {
+  if (const auto& shifts = test.modes.shifts; modal::is_significant(shifts)) {
     d.warnings.push_back(modal::statement(
-        *shifts, acquisition::channel_names(*test.setting.bundle)));
+        *shifts, acquisition::channel_names(*test.context.bundle)));
   }
   for (const std::string& warning : of_model) {
     if (std::ranges::count(d.warnings, warning) > 0) continue;

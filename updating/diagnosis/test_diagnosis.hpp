@@ -5,7 +5,7 @@
 #include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnose_options.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/fit/fit_ground.hpp"
+#include "updating/fit/fit_context.hpp"
 
 #include <string>
 #include <vector>
@@ -13,13 +13,13 @@
 namespace tapfit::updating {
 
 /// How thoroughly it looks, and what it knows of the error.
-[[nodiscard]] DiagnoseOptions options_of_test(const FitGround& ground,
+[[nodiscard]] DiagnoseOptions options_of_test(const FitContext& ground,
                                               const Comparison& base);
 
 /// @param current the model's fit; with nothing added the ground's base
 /// @param base the comparison of the deck as it is
 /// @param of_model warnings of the model, put last
-[[nodiscard]] Diagnosis diagnose_test(const FitGround& ground,
+[[nodiscard]] Diagnosis diagnose_test(const FitContext& ground,
                                       const Fit& current,
                                       const Comparison& base,
                                       const MeasuredTest& test,

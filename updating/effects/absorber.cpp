@@ -24,13 +24,13 @@ class Absorber final : public DirectedEffect {
  public:
   Absorber() : DirectedEffect("absorber", "vibration absorber", Law::Own) {}
 
-  std::vector<ParameterSpec> parameters(const Where&,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location&, const TestContext& context) const override {
     // Outside the band it is a mass or a ground spring with parameters to
     // spare; heavier than a third of the structure it would be in the model.
-    const double m = setting.mass_kg;
+    const double m = context.mass_kg;
     return {{"mass_kg", 0.03 * m, 1e-4 * m, 0.35 * m},
-            spread("frequency_hz", setting.low_hz, setting.high_hz),
+            spread("frequency_hz", context.low_hz, context.high_hz),
             {"damping_ratio", 0.02, 5e-4, 0.5}};
   }
 
@@ -55,13 +55,13 @@ class Absorber final : public DirectedEffect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     const double w = two_pi * p[1];
-    return absorber_cards(*setting.deck,
+    return absorber_cards(*context.deck,
                           where.node,
-                          component_of(where, setting),
+                          component_of(where, context),
                           p[0],
                           p[0] * w * w,
                           2.0 * p[2] * w * p[0]);

@@ -12,7 +12,7 @@
 namespace tapfit::effects {
 namespace {
 
-bool is_rotary(const Where& where) { return where.variant == "rotary"; }
+bool is_rotary(const Location& where) { return where.variant == "rotary"; }
 
 // Diagonal of the box around all grids [m].
 double extent(const structure::Deck& deck) {
@@ -30,14 +30,14 @@ class AddedMass final : public PointEffect {
                      .law = Law::Mass,
                      .forms = {"rotary"}}) {}
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     // From a washer to as much as the structure itself.
-    const double m = setting.mass_kg;
+    const double m = context.mass_kg;
     std::vector<ParameterSpec> specs{{"mass_kg", 0.02 * m, 1e-5 * m, m}};
     if (is_rotary(where)) {
       // About 2 % of the structure's extent across, from a tenth to ten times.
-      const double across = 0.02 * extent(*setting.deck);
+      const double across = 0.02 * extent(*context.deck);
       const double J = 0.02 * m * across * across;
       specs.push_back({"inertia_kg_m2", J, 1e-2 * J, 1e2 * J});
     }
@@ -47,7 +47,7 @@ class AddedMass final : public PointEffect {
   // Where it turns, J = m r^2, r not farther out than twice the side of a cube
   // of plastic. An inertia alone, at next to no mass, is what the shear does
   // that a bar's deck lacks.
-  bool is_plausible(const Where& where,
+  bool is_plausible(const Location& where,
                     const std::vector<double>& p) const override {
     if (!is_rotary(where)) return true;
     constexpr double light = 1000.0;  // kg/m^3, as plastic
@@ -56,10 +56,10 @@ class AddedMass final : public PointEffect {
     return p[1] <= p[0] * radius * radius;
   }
 
-  std::vector<ActedDof> acts_on(const Where& where,
-                                const Setting& setting,
-                                std::size_t) const override {
-    std::vector<ActedDof> dofs = translations(where, setting);
+  std::vector<InterfaceDof> interface_dofs(const Location& where,
+                                           const TestContext& context,
+                                           std::size_t) const override {
+    std::vector<InterfaceDof> dofs = translations(where, context);
     if (is_rotary(where)) {
       for (int component = 4; component <= 6; ++component) {
         dofs.push_back({where.node, component, 1.0, 1});
@@ -69,11 +69,11 @@ class AddedMass final : public PointEffect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     const double inertia = is_rotary(where) ? p[1] : 0.0;
-    return {point_mass_card(*setting.deck, 0, where.node, p[0], inertia)};
+    return {point_mass_card(*context.deck, 0, where.node, p[0], inertia)};
   }
 };
 

@@ -22,15 +22,17 @@ class DampingLaw final : public Effect {
                 .entry = Entry::Damping,
                 .law = Law::Own}) {}
 
-  std::vector<Where> places(const Setting&) const override { return {Where{}}; }
+  std::vector<Location> places(const TestContext&) const override {
+    return {Location{}};
+  }
 
-  std::vector<ParameterSpec> parameters(const Where&,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location&, const TestContext& context) const override {
     // Of each alone a mode in the middle of the band has these ratios.
     constexpr double least = 1e-6;
     constexpr double start = 0.003;
     constexpr double most = 0.3;
-    const double w = two_pi * std::sqrt(setting.low_hz * setting.high_hz);
+    const double w = two_pi * std::sqrt(context.low_hz * context.high_hz);
     const auto spec = [](const char* name, double unit) {
       return ParameterSpec{
           name, 2.0 * start * unit, 2.0 * least * unit, 2.0 * most * unit};
@@ -47,8 +49,8 @@ class DampingLaw final : public Effect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where&,
-      const Setting&,
+      const Location&,
+      const TestContext&,
       const std::vector<double>& p) const override {
     return {fmt::format("PARAM,ALPHA1,{:.8g}", p[0]),
             fmt::format("PARAM,ALPHA2,{:.8g}", p[1]),

@@ -10,21 +10,21 @@ class Dashpot final : public DirectedEffect {
  public:
   Dashpot() : DirectedEffect("dashpot", "damper to ground", Law::Damper) {}
 
-  std::vector<ParameterSpec> parameters(const Where&,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location&, const TestContext& context) const override {
     // Around the damping that makes the whole mass critically damped.
-    const double m = setting.mass_kg;
+    const double m = context.mass_kg;
     return {spread("damping_ns_per_m",
-                   1e-4 * m * setting.low(),
-                   2.0 * m * setting.high())};
+                   1e-4 * m * context.low(),
+                   2.0 * m * context.high())};
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     return ground_damper_cards(
-        *setting.deck, 0, where.node, component_of(where, setting), p[0]);
+        *context.deck, 0, where.node, component_of(where, context), p[0]);
   }
 };
 

@@ -28,12 +28,12 @@
 
 namespace tapfit::effects {
 
-using updating::Where;
+using updating::Location;
 
 struct Suspension;
 
 /// What an effect needs to know to propose places, starts and bounds.
-struct Setting {
+struct TestContext {
   const acquisition::TestBundle* bundle = nullptr;
   const structure::Deck* deck = nullptr;  ///< null for a test without a model
   double mass_kg = 1.0;                   ///< of the whole base model
@@ -66,7 +66,7 @@ struct ParameterSpec {
                                    double upper);
 
 /// One degree of freedom that the effect acts on.
-struct ActedDof {
+struct InterfaceDof {
   int node = 0;
   int component = 3;      ///< 1..6
   double weight = 1.0;    ///< factor on the law, for example a length
@@ -74,7 +74,7 @@ struct ActedDof {
   /// Between grids: what moves there; node and component are then the nearest.
   std::vector<updating::MotionShare> between = {};
 
-  bool operator==(const ActedDof&) const = default;
+  bool operator==(const InterfaceDof&) const = default;
 };
 
 /// How an effect enters the model.
@@ -155,8 +155,8 @@ class Effect {
   }
 
   /// Every place where it may sit.
-  [[nodiscard]] virtual std::vector<Where> places(
-      const Setting& setting) const = 0;
+  [[nodiscard]] virtual std::vector<Location> places(
+      const TestContext& context) const = 0;
   /// Whether `places` leave Where::node open, which may then be any grid but
   /// that of Where::nodes.
   [[nodiscard]] bool takes_any_grid() const { return kind_.takes_any_grid; }
@@ -166,33 +166,33 @@ class Effect {
     return kind_.variants;
   }
   /// Forms that it takes at its places only when asked for by name, or when the
-  /// plain one has been found there; see Where::variant.
+  /// plain one has been found there; see Location::variant.
   [[nodiscard]] const std::vector<std::string>& forms() const {
     return kind_.forms;
   }
   /// Whether it can take one of its forms at one of its places.
   [[nodiscard]] virtual bool takes(const std::string& /*form*/,
-                                   const Where& /*place*/,
-                                   const Setting& /*setting*/) const {
+                                   const Location& /*place*/,
+                                   const TestContext& /*context*/) const {
     return true;
   }
   [[nodiscard]] virtual std::vector<ParameterSpec> parameters(
-      const Where& /*where*/, const Setting& /*setting*/) const {
+      const Location& /*where*/, const TestContext& /*context*/) const {
     return {};
   }
 
   /// Whether there are things of these sizes: each may be within its bounds and
   /// the two be none.
   [[nodiscard]] virtual bool is_plausible(
-      const Where& /*where*/, const std::vector<double>& /*p*/) const {
+      const Location& /*where*/, const std::vector<double>& /*p*/) const {
     return true;
   }
 
   /// Degrees of freedom it acts on while one run is measured (a sensor's mass
   /// moves with the sensor). Those of Entry::LowRank alone.
-  [[nodiscard]] virtual std::vector<ActedDof> acts_on(
-      const Where& /*where*/,
-      const Setting& /*setting*/,
+  [[nodiscard]] virtual std::vector<InterfaceDof> interface_dofs(
+      const Location& /*where*/,
+      const TestContext& /*context*/,
       std::size_t /*run*/) const {
     return {};
   }
@@ -201,13 +201,14 @@ class Effect {
   /// those that were hit and measured. What other mistakes have changed in it
   /// already stays as far as this one leaves it.
   /// @param written the sheet as it was written
-  virtual void correct(const Where& /*where*/,
+  virtual void correct(const Location& /*where*/,
                        const acquisition::TestBundle& /*written*/,
                        acquisition::TestBundle& /*sheet*/) const {}
 
   /// For Entry::Measurement: the group of the law that FRFs go through whose
   /// response (or hammer) is on the channel.
-  [[nodiscard]] virtual std::size_t passed_as(const Where&, bool hammer) const {
+  [[nodiscard]] virtual std::size_t passed_as(const Location&,
+                                              bool hammer) const {
     return hammer ? 1 : 0;
   }
 
@@ -247,8 +248,8 @@ class Effect {
     std::string name;
     std::vector<double> factors;  ///< one per parameter
   };
-  [[nodiscard]] virtual std::vector<Derived> derived(const Where&,
-                                                     const Setting&) const {
+  [[nodiscard]] virtual std::vector<Derived> derived(const Location&,
+                                                     const TestContext&) const {
     return {};
   }
 
@@ -257,21 +258,21 @@ class Effect {
     std::string name;
     double value = 0.0;
   };
-  [[nodiscard]] virtual std::vector<Fixed> fixed(const Where&) const {
+  [[nodiscard]] virtual std::vector<Fixed> fixed(const Location&) const {
     return {};
   }
 
   /// What its cards stand in for: these must come out of the deck's own
   /// constraints. Components along the grids' own axes.
   [[nodiscard]] virtual std::vector<structure::Constraint> released(
-      const Where&, const Setting&) const {
+      const Location&, const TestContext&) const {
     return {};
   }
 
   /// Cards that put it into the deck; comments where bulk data has no card.
   [[nodiscard]] virtual std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const = 0;
 
  private:

@@ -4,7 +4,7 @@
 
 namespace tapfit::updating {
 
-std::string effect_text(const std::string& effect, const Where& where) {
+std::string effect_text(const std::string& effect, const Location& where) {
   const std::string place = describe(where);
   return place.starts_with("everywhere")
              ? effect

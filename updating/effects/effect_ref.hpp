@@ -9,14 +9,14 @@ namespace tapfit::updating {
 
 struct EffectRef {
   std::string effect;
-  Where where;
+  Location where;
 
   bool operator==(const EffectRef&) const = default;
 };
 
 /// "added-mass at node 201"; the effect alone where it has no place.
 [[nodiscard]] std::string effect_text(const std::string& effect,
-                                      const Where& where);
+                                      const Location& where);
 
 /// Of a candidate that no linear model holds: it cannot be added.
 inline constexpr const char* nonlinearity = "nonlinearity";

@@ -14,27 +14,27 @@ class GroundSpring final : public DirectedEffect {
   GroundSpring()
       : DirectedEffect("ground-spring", "spring to ground", Law::Spring) {}
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     // Stiffness that the structure's own mass has at the band's two ends.
-    double lower = 1e-4 * setting.mass_kg * setting.low() * setting.low();
-    double upper = 10.0 * setting.mass_kg * setting.high() * setting.high();
-    if (setting.suspension) {
-      const ActedDof at =
-          motion_of(where, component_of(where, setting), setting);
+    double lower = 1e-4 * context.mass_kg * context.low() * context.low();
+    double upper = 10.0 * context.mass_kg * context.high() * context.high();
+    if (context.suspension) {
+      const InterfaceDof at =
+          motion_of(where, component_of(where, context), context);
       upper = std::min(upper,
-                       stiffest_spring(*setting.suspension, at, *setting.deck));
+                       stiffest_spring(*context.suspension, at, *context.deck));
       lower = std::min(lower, 1e-4 * upper);
     }
     return {spread("stiffness_n_per_m", lower, upper)};
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     return ground_spring_cards(
-        *setting.deck, 0, where.node, component_of(where, setting), p[0]);
+        *context.deck, 0, where.node, component_of(where, context), p[0]);
   }
 };
 

@@ -11,16 +11,16 @@
 namespace tapfit::effects {
 namespace {
 
-double length_of(const Where& where, const Setting& setting) {
+double length_of(const Location& where, const TestContext& context) {
   if (where.nodes.size() < 2) return 1.0;
-  return updating::shell_joint(*setting.deck, where.nodes).length;
+  return updating::shell_joint(*context.deck, where.nodes).length;
 }
 
 // Second moment of a crack's face [m^4].
-double turn_of(const Where& where, const Setting& setting) {
+double turn_of(const Location& where, const TestContext& context) {
   double turn = 0.0;
   for (const updating::PartedGrid& grid :
-       updating::crack_line(*setting.deck, where.nodes).grids) {
+       updating::crack_line(*context.deck, where.nodes).grids) {
     turn += grid.turn;
   }
   return turn;
@@ -37,11 +37,11 @@ class Joint final : public Effect {
 
   // Each straight line across shells, lines in line with each other together,
   // each place where bars meet.
-  std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result;
-    if (setting.deck == nullptr) return result;
+  std::vector<Location> places(const TestContext& context) const override {
+    std::vector<Location> result;
+    if (context.deck == nullptr) return result;
     for (const updating::JointPlace& place :
-         updating::joint_places(*setting.deck)) {
+         updating::joint_places(*context.deck)) {
       result.push_back({.nodes = place.nodes});
       if (place.bar != 0) result.back().elements = {place.bar};
     }
@@ -50,38 +50,38 @@ class Joint final : public Effect {
 
   // A crack at a line of shells.
   bool takes(const std::string& form,
-             const Where& place,
-             const Setting& setting) const override {
-    return form == updating::crack && setting.deck != nullptr &&
-           !updating::crack_line(*setting.deck, place.nodes).grids.empty();
+             const Location& place,
+             const TestContext& context) const override {
+    return form == updating::crack && context.deck != nullptr &&
+           !updating::crack_line(*context.deck, place.nodes).grids.empty();
   }
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     // As for a soft support; the base narrows it to what shows.
     const bool is_crack = where.variant == updating::crack;
     const double length =
-        is_crack ? turn_of(where, setting) : length_of(where, setting);
-    const double m = setting.mass_kg;
+        is_crack ? turn_of(where, context) : length_of(where, context);
+    const double m = context.mass_kg;
     return {spread(is_crack ? "bed_stiffness_n_per_m3"
                             : "rotational_stiffness_nm_per_rad_per_m",
-                   1e-3 * m * setting.low() * setting.low() / length,
-                   1e3 * m * setting.high() * setting.high() / length)};
+                   1e-3 * m * context.low() * context.low() / length,
+                   1e3 * m * context.high() * context.high() / length)};
   }
 
-  std::vector<Derived> derived(const Where& where,
-                               const Setting& setting) const override {
+  std::vector<Derived> derived(const Location& where,
+                               const TestContext& context) const override {
     // Of a crack the faces' stiffness is all there is to tell.
     if (where.variant == updating::crack) return {};
-    return {{"rotational_stiffness_nm_per_rad", {length_of(where, setting)}}};
+    return {{"rotational_stiffness_nm_per_rad", {length_of(where, context)}}};
   }
 
   // Of what the elements on one side need besides: see joint_cards.hpp.
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
-    return joint_cards(where, setting, p[0]).added;
+    return joint_cards(where, context, p[0]).added;
   }
 };
 

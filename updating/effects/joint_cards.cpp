@@ -106,24 +106,24 @@ class Writer {
 
 }  // namespace
 
-int turned_across(const updating::Where& where, const Setting& setting) {
-  if (where.nodes.size() != 1) return setting.component;
-  std::vector<int> components = {setting.component};
+int turned_across(const updating::Location& where, const TestContext& context) {
+  if (where.nodes.size() != 1) return context.component;
+  std::vector<int> components = {context.component};
   components.insert(
-      components.end(), setting.components.begin(), setting.components.end());
+      components.end(), context.components.begin(), context.components.end());
   return updating::across_bar(
-      *setting.deck, where.nodes.front(), where.elements, components);
+      *context.deck, where.nodes.front(), where.elements, components);
 }
 
-updating::JointLine joint_at(const updating::Where& where,
-                             const Setting& setting) {
+updating::JointLine joint_at(const updating::Location& where,
+                             const TestContext& context) {
   if (where.nodes.size() > 1) {
-    return updating::shell_joint(*setting.deck, where.nodes);
+    return updating::shell_joint(*context.deck, where.nodes);
   }
-  return updating::bar_joint(*setting.deck,
+  return updating::bar_joint(*context.deck,
                              where.nodes.front(),
                              where.elements,
-                             turned_across(where, setting));
+                             turned_across(where, context));
 }
 
 namespace {
@@ -217,14 +217,14 @@ JointCards joint_cards(const Deck& deck,
   return result;
 }
 
-JointCards joint_cards(const updating::Where& where,
-                       const Setting& setting,
+JointCards joint_cards(const updating::Location& where,
+                       const TestContext& context,
                        double stiffness) {
-  const Deck& deck = *setting.deck;
+  const Deck& deck = *context.deck;
   return where.variant == updating::crack
              ? crack_cards(
                    deck, updating::crack_line(deck, where.nodes), stiffness)
-             : joint_cards(deck, joint_at(where, setting), stiffness);
+             : joint_cards(deck, joint_at(where, context), stiffness);
 }
 
 }  // namespace tapfit::effects

@@ -26,12 +26,12 @@ namespace tapfit::effects {
 
 /// 1..3: the direction across which a joint's bar turns, the one mostly
 /// measured or, where the bar lies along it, another.
-[[nodiscard]] int turned_across(const updating::Where& where,
-                                const Setting& setting);
+[[nodiscard]] int turned_across(const updating::Location& where,
+                                const TestContext& context);
 
 /// The line that a joint's place means.
-[[nodiscard]] updating::JointLine joint_at(const updating::Where& where,
-                                           const Setting& setting);
+[[nodiscard]] updating::JointLine joint_at(const updating::Location& where,
+                                           const TestContext& context);
 
 struct JointCards {
   std::vector<std::string> added;
@@ -57,8 +57,8 @@ struct JointCards {
                                      double stiffness);
 
 /// Of a joint's place, whichever form it has.
-[[nodiscard]] JointCards joint_cards(const updating::Where& where,
-                                     const Setting& setting,
+[[nodiscard]] JointCards joint_cards(const updating::Location& where,
+                                     const TestContext& context,
                                      double stiffness);
 
 }  // namespace tapfit::effects

@@ -11,8 +11,8 @@ namespace tapfit::effects {
 class PointEffect : public Effect {
  public:
   using Effect::Effect;
-  [[nodiscard]] std::vector<Where> places(
-      const Setting& setting) const override;
+  [[nodiscard]] std::vector<Location> places(
+      const TestContext& context) const override;
 };
 
 /// Base of those that act along one axis: the direction mostly measured, or,
@@ -22,29 +22,31 @@ class DirectedEffect : public PointEffect {
  public:
   DirectedEffect(std::string name, std::string words, Law law);
   /// Every grid along the direction mostly measured, then along the others.
-  [[nodiscard]] std::vector<Where> places(
-      const Setting& setting) const override;
+  [[nodiscard]] std::vector<Location> places(
+      const TestContext& context) const override;
   /// Other axes are places of their own, not forms of what was found.
   [[nodiscard]] bool takes(const std::string&,
-                           const Where&,
-                           const Setting&) const override {
+                           const Location&,
+                           const TestContext&) const override {
     return false;
   }
-  [[nodiscard]] std::vector<ActedDof> acts_on(const Where& where,
-                                              const Setting& setting,
-                                              std::size_t run) const override;
+  [[nodiscard]] std::vector<InterfaceDof> interface_dofs(
+      const Location& where,
+      const TestContext& context,
+      std::size_t run) const override;
 };
 
 /// 1..3: the axis that a directed effect acts along.
-[[nodiscard]] int component_of(const Where& where, const Setting& setting);
+[[nodiscard]] int component_of(const Location& where,
+                               const TestContext& context);
 
 /// The motion of a place, a grid or between grids, along an axis.
-[[nodiscard]] ActedDof motion_of(const Where& where,
-                                 int component,
-                                 const Setting& setting);
+[[nodiscard]] InterfaceDof motion_of(const Location& where,
+                                     int component,
+                                     const TestContext& context);
 
 /// Its three translations.
-[[nodiscard]] std::vector<ActedDof> translations(const Where& where,
-                                                 const Setting& setting);
+[[nodiscard]] std::vector<InterfaceDof> translations(
+    const Location& where, const TestContext& context);
 
 }  // namespace tapfit::effects

@@ -289,13 +289,14 @@ SparseMatrix side_stiffness(const Deck& deck,
 
 }  // namespace
 
-bool is_compression(const updating::Where& where) {
+bool is_compression(const updating::Location& where) {
   return where.variant.ends_with("compression");
 }
 
-std::optional<updating::AxialMember> member_at(const Deck& deck,
-                                               const std::vector<int>& elements,
-                                               const updating::Where& where) {
+std::optional<updating::AxialMember> member_at(
+    const Deck& deck,
+    const std::vector<int>& elements,
+    const updating::Location& where) {
   return updating::axial_member(
       deck, elements, where.variant.starts_with("across"));
 }
@@ -303,7 +304,7 @@ std::optional<updating::AxialMember> member_at(const Deck& deck,
 Preload preload(const Deck& deck,
                 const structure::System& system,
                 const std::vector<int>& elements,
-                const updating::Where& where) {
+                const updating::Location& where) {
   const std::optional<updating::AxialMember> member =
       member_at(deck, elements, where);
   if (!member || !member->can_be_pulled()) {

@@ -25,13 +25,13 @@
 namespace tapfit::effects {
 
 /// Of Where::variant.
-[[nodiscard]] bool is_compression(const updating::Where& where);
+[[nodiscard]] bool is_compression(const updating::Location& where);
 
 /// The member at a place. @param elements that stand there on this deck
 [[nodiscard]] std::optional<updating::AxialMember> member_at(
     const structure::Deck& deck,
     const std::vector<int>& elements,
-    const updating::Where& where);
+    const updating::Location& where);
 
 struct Preload {
   structure::SparseMatrix along;  ///< of a unit force, below zero if it pushes
@@ -47,6 +47,6 @@ struct Preload {
 [[nodiscard]] Preload preload(const structure::Deck& deck,
                               const structure::System& system,
                               const std::vector<int>& elements,
-                              const updating::Where& where);
+                              const updating::Location& where);
 
 }  // namespace tapfit::effects

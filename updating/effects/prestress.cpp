@@ -25,14 +25,14 @@ class Prestress final : public Effect {
 
   // Each whole member, pulled, and where both its ends are held, pushed; a
   // sheet held at both ends across as well.
-  std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result;
-    if (setting.deck == nullptr) return result;
+  std::vector<Location> places(const TestContext& context) const override {
+    std::vector<Location> result;
+    if (context.deck == nullptr) return result;
     for (const std::vector<int>& elements :
-         updating::whole_members(*setting.deck)) {
+         updating::whole_members(*context.deck)) {
       for (const bool across : {false, true}) {
         const auto member =
-            updating::axial_member(*setting.deck, elements, across);
+            updating::axial_member(*context.deck, elements, across);
         if (!member || !member->can_be_pulled()) continue;
         const bool by_wire = member->pulled() != nullptr;
         // A plate that hangs on one side only is pulled the long way.
@@ -47,15 +47,15 @@ class Prestress final : public Effect {
     return result;
   }
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     // The scale at which the force is as stiff as the structure's inertia is
     // heavy at the band's ends; the base narrows it to what shows.
-    const auto member = member_at(*setting.deck, where.elements, where);
+    const auto member = member_at(*context.deck, where.elements, where);
     const double length = member ? member->length : 1.0;
-    const double m = setting.mass_kg;
-    const double lower = 1e-4 * m * setting.low() * setting.low();
-    const double upper = 10.0 * m * setting.high() * setting.high();
+    const double m = context.mass_kg;
+    const double lower = 1e-4 * m * context.low() * context.low();
+    const double upper = 10.0 * m * context.high() * context.high();
     std::vector<ParameterSpec> specs = {
         spread("force_n", lower * length, upper * length)};
     if (is_compression(where)) specs.front().sign = -1.0;
@@ -67,10 +67,10 @@ class Prestress final : public Effect {
 
   // DMIG K2GG: exact on the deck's own mesh.
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
-    const structure::Deck& deck = *setting.deck;
+    const structure::Deck& deck = *context.deck;
     // Compressions are told below zero; the matrix has their sign.
     const double force = std::abs(p.at(0));
     std::vector<std::string> cards = {
@@ -103,7 +103,7 @@ class Prestress final : public Effect {
 
 }  // namespace
 
-bool can_carry(const structure::Deck& deck, const Where& where) {
+bool can_carry(const structure::Deck& deck, const Location& where) {
   const auto member = member_at(deck, where.elements, where);
   if (!member || !member->can_be_pulled()) return false;
   // A wire does not push.

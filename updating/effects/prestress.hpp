@@ -12,6 +12,6 @@ namespace tapfit::effects {
 
 /// Whether elements make up a member that can be pulled, or pushed, so.
 [[nodiscard]] bool can_carry(const structure::Deck& deck,
-                             const updating::Where& where);
+                             const updating::Location& where);
 
 }  // namespace tapfit::effects

@@ -17,25 +17,25 @@ class SensorCable final : public Effect {
                 .law = Law::Own}) {}
 
   // All sensor channels with cables alike, then each channel alone.
-  std::vector<Where> places(const Setting& setting) const override {
-    return sensor_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    return sensor_places(context);
   }
 
-  std::vector<ParameterSpec> parameters(const Where&,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location&, const TestContext& context) const override {
     // A cable is soft: it shows in the lowest modes or not at all.
-    const double low = setting.low();
-    const double k = setting.mass_kg * low * low;
-    const double c = setting.mass_kg * low;
+    const double low = context.low();
+    const double k = context.mass_kg * low * low;
+    const double c = context.mass_kg * low;
     return {{"stiffness_n_per_m", 1e-2 * k, 1e-5 * k, 10.0 * k},
             {"damping_ns_per_m", 1e-3 * c, 1e-6 * c, c}};
   }
 
-  std::vector<ActedDof> acts_on(const Where& where,
-                                const Setting& setting,
-                                std::size_t run) const override {
-    std::vector<ActedDof> result;
-    for (const PlacedSensor& sensor : placed_sensors(where, setting, run)) {
+  std::vector<InterfaceDof> interface_dofs(const Location& where,
+                                           const TestContext& context,
+                                           std::size_t run) const override {
+    std::vector<InterfaceDof> result;
+    for (const PlacedSensor& sensor : placed_sensors(where, context, run)) {
       result.push_back({sensor.dof.node, sensor.dof.component, 1.0, 0});
     }
     return result;
@@ -58,8 +58,8 @@ class SensorCable final : public Effect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     std::vector<std::string> cards = {
         "$ The sensors' cables, where they hung in the first run"};
@@ -68,8 +68,8 @@ class SensorCable final : public Effect {
       cards.insert(cards.end(), more.begin(), more.end());
       offset += static_cast<int>(more.size());
     };
-    const structure::Deck& deck = *setting.deck;
-    for (const ActedDof& acted : acts_on(where, setting, 0)) {
+    const structure::Deck& deck = *context.deck;
+    for (const InterfaceDof& acted : interface_dofs(where, context, 0)) {
       const Dof dof{acted.node, acted.component, 1};
       add(card_note(deck, dof.node));
       add(axis_note(deck, dof));

@@ -18,44 +18,45 @@ const MeasuringPoint* point_of(const structure::Deck& deck, int node) {
 }
 
 // In the order of the channel table.
-std::vector<Where> on_each(const std::set<std::size_t>& channels,
-                           const Setting& setting) {
-  std::vector<Where> result;
+std::vector<Location> on_each(const std::set<std::size_t>& channels,
+                              const TestContext& context) {
+  std::vector<Location> result;
   for (const std::size_t channel : channels) {
-    result.push_back({.channels = {setting.bundle->channels[channel].name}});
+    result.push_back({.channels = {context.bundle->channels[channel].name}});
   }
   return result;
 }
 
 }  // namespace
 
-std::vector<Where> sensor_places(const Setting& setting) {
+std::vector<Location> sensor_places(const TestContext& context) {
   std::set<std::size_t> used;
-  for (const acquisition::Run& run : setting.bundle->runs) {
+  for (const acquisition::Run& run : context.bundle->runs) {
     for (const acquisition::Placement& p : run.sensors) used.insert(p.channel);
   }
-  const std::vector<Where> each = on_each(used, setting);
+  const std::vector<Location> each = on_each(used, context);
   if (each.size() < 2) return each;
-  std::vector<Where> result(1);
-  for (const Where& one : each) {
+  std::vector<Location> result(1);
+  for (const Location& one : each) {
     result.front().channels.push_back(one.channels.front());
     result.push_back(one);
   }
   return result;
 }
 
-std::vector<Where> hammer_places(const Setting& setting) {
+std::vector<Location> hammer_places(const TestContext& context) {
   std::set<std::size_t> used;
-  for (const acquisition::Run& run : setting.bundle->runs) {
+  for (const acquisition::Run& run : context.bundle->runs) {
     used.insert(run.hammer.channel);
   }
-  return on_each(used, setting);
+  return on_each(used, context);
 }
 
-std::vector<Where> channel_places(const Setting& setting) {
-  std::vector<Where> result = sensor_places(setting);
-  std::erase_if(result, [](const Where& w) { return w.channels.size() > 1; });
-  std::ranges::copy(hammer_places(setting), std::back_inserter(result));
+std::vector<Location> channel_places(const TestContext& context) {
+  std::vector<Location> result = sensor_places(context);
+  std::erase_if(result,
+                [](const Location& w) { return w.channels.size() > 1; });
+  std::ranges::copy(hammer_places(context), std::back_inserter(result));
   return result;
 }
 
@@ -97,11 +98,11 @@ std::vector<std::string> axis_note(const structure::Deck& deck,
       card_axis(deck, dof))};
 }
 
-std::vector<PlacedSensor> placed_sensors(const Where& where,
-                                         const Setting& setting,
+std::vector<PlacedSensor> placed_sensors(const Location& where,
+                                         const TestContext& context,
                                          std::size_t run) {
   std::vector<PlacedSensor> result;
-  const acquisition::TestBundle& bundle = *setting.bundle;
+  const acquisition::TestBundle& bundle = *context.bundle;
   for (const acquisition::Placement& p : bundle.runs.at(run).sensors) {
     const auto it = std::find(where.channels.begin(),
                               where.channels.end(),

@@ -10,13 +10,13 @@
 namespace tapfit::effects {
 
 /// All sensor channels together, then each alone where there are several.
-[[nodiscard]] std::vector<Where> sensor_places(const Setting& setting);
+[[nodiscard]] std::vector<Location> sensor_places(const TestContext& context);
 
 /// Each hammer channel alone.
-[[nodiscard]] std::vector<Where> hammer_places(const Setting& setting);
+[[nodiscard]] std::vector<Location> hammer_places(const TestContext& context);
 
 /// Each sensor channel, then each hammer channel.
-[[nodiscard]] std::vector<Where> channel_places(const Setting& setting);
+[[nodiscard]] std::vector<Location> channel_places(const TestContext& context);
 
 /// A sensor of the run on one of the channels of `where`.
 struct PlacedSensor {
@@ -41,8 +41,7 @@ struct PlacedSensor {
 [[nodiscard]] std::vector<std::string> axis_note(const structure::Deck& deck,
                                                  const Dof& dof);
 
-[[nodiscard]] std::vector<PlacedSensor> placed_sensors(const Where& where,
-                                                       const Setting& setting,
-                                                       std::size_t run);
+[[nodiscard]] std::vector<PlacedSensor> placed_sensors(
+    const Location& where, const TestContext& context, std::size_t run);
 
 }  // namespace tapfit::effects

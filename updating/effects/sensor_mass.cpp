@@ -30,21 +30,21 @@ class SensorMass final : public Effect {
                 .forms = {"each", "rotary"}}) {}
 
   bool takes(const std::string& form,
-             const Where& place,
-             const Setting&) const override {
+             const Location& place,
+             const TestContext&) const override {
     return form == "rotary" || place.channels.size() > 1;
   }
 
   // All sensor channels sharing one mass, then each channel alone.
-  std::vector<Where> places(const Setting& setting) const override {
-    return sensor_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    return sensor_places(context);
   }
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
-    const double start = std::min(0.02, 0.02 * setting.mass_kg);
-    const double lower = 1e-5 * setting.mass_kg;
-    const double upper = 0.5 * setting.mass_kg;
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
+    const double start = std::min(0.02, 0.02 * context.mass_kg);
+    const double lower = 1e-5 * context.mass_kg;
+    const double upper = 0.5 * context.mass_kg;
     if (where.variant != "each") return {{"mass_kg", start, lower, upper}};
     std::vector<ParameterSpec> specs;
     for (const std::string& channel : where.channels) {
@@ -53,16 +53,17 @@ class SensorMass final : public Effect {
     return specs;
   }
 
-  std::vector<ActedDof> acts_on(const Where& where,
-                                const Setting& setting,
-                                std::size_t run) const override {
-    std::vector<ActedDof> result;
+  std::vector<InterfaceDof> interface_dofs(const Location& where,
+                                           const TestContext& context,
+                                           std::size_t run) const override {
+    std::vector<InterfaceDof> result;
     const bool shared = where.variant != "each";
     std::set<int> done;
-    for (const PlacedSensor& sensor : placed_sensors(where, setting, run)) {
+    for (const PlacedSensor& sensor : placed_sensors(where, context, run)) {
       // A triaxial sensor is one mass under three names.
       if (!done.insert(sensor.dof.node).second && shared) continue;
-      for (ActedDof dof : translations({.node = sensor.dof.node}, setting)) {
+      for (InterfaceDof dof :
+           translations({.node = sensor.dof.node}, context)) {
         dof.group = shared ? 0 : sensor.position;
         result.push_back(dof);
       }
@@ -74,25 +75,25 @@ class SensorMass final : public Effect {
     return result;
   }
 
-  std::vector<Derived> derived(const Where& where,
-                               const Setting&) const override {
+  std::vector<Derived> derived(const Location& where,
+                               const TestContext&) const override {
     if (where.variant != "rotary") return {};
     return {{"inertia_kg_m2", {inertia}}};
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     std::vector<std::string> cards = {
         "$ The sensors' mass, where they sat in the first run"};
     std::map<int, double> mass_at;
-    for (const ActedDof& dof : acts_on(where, setting, 0)) {
+    for (const InterfaceDof& dof : interface_dofs(where, context, 0)) {
       if (dof.component == 1) mass_at[dof.node] += p[dof.group];
     }
     const double of_unit = where.variant == "rotary" ? inertia : 0.0;
     int offset = 0;
-    const structure::Deck& deck = *setting.deck;
+    const structure::Deck& deck = *context.deck;
     for (const auto& [node, mass] : mass_at) {
       for (const std::string& note : card_note(deck, node)) {
         cards.push_back(note);

@@ -15,9 +15,9 @@
 namespace tapfit::effects {
 namespace {
 
-std::vector<updating::SupportPart> parts_of(const Where& where,
-                                            const Setting& setting) {
-  return updating::support_parts(*setting.deck, where.nodes, where.variant);
+std::vector<updating::SupportPart> parts_of(const Location& where,
+                                            const TestContext& context) {
+  return updating::support_parts(*context.deck, where.nodes, where.variant);
 }
 
 using updating::SupportMotion;
@@ -83,42 +83,42 @@ class SoftSupport final : public Effect {
                  "face", "both", "rotation-varying", "translation-varying"}}) {}
 
   // The rotation and the translation of each support, as far as it is held.
-  std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result;
-    if (setting.deck == nullptr) return result;
+  std::vector<Location> places(const TestContext& context) const override {
+    std::vector<Location> result;
+    if (context.deck == nullptr) return result;
     for (const std::vector<int>& group :
-         updating::support_choices(*setting.deck)) {
+         updating::support_choices(*context.deck)) {
       for (const char* variant : {"rotation", "translation"}) {
-        Where where{.nodes = group, .variant = variant};
-        if (!parts_of(where, setting).empty()) result.push_back(where);
+        Location where{.nodes = group, .variant = variant};
+        if (!parts_of(where, context).empty()) result.push_back(where);
       }
     }
     return result;
   }
 
   bool takes(const std::string& form,
-             const Where& place,
-             const Setting& setting) const override {
+             const Location& place,
+             const TestContext& context) const override {
     const bool any = form == "both" || form == "face";
     if (!any && !form.starts_with(place.variant)) return false;
-    Where where = place;
+    Location where = place;
     where.variant = form;
-    return !parts_of(where, setting).empty();
+    return !parts_of(where, context).empty();
   }
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     // The scale at which a support is as soft as the structure's inertia is
     // heavy at the band's ends; the fit starts from a scan over this range.
-    const double low = setting.low();
-    const double high = setting.high();
+    const double low = context.low();
+    const double high = context.high();
     std::vector<ParameterSpec> specs;
-    for (const updating::SupportPart& part : parts_of(where, setting)) {
+    for (const updating::SupportPart& part : parts_of(where, context)) {
       const bool is_face = part.motion == SupportMotion::Face;
       // A face gives in its turn first.
       const double held = is_face ? part.turn : part.line.length;
       const double size = part.motion == SupportMotion::Translation ? 1.0 : 0.1;
-      const double per_length = setting.mass_kg * size / held;
+      const double per_length = context.mass_kg * size / held;
       specs.push_back(spread(parameter_name(part),
                              1e-2 * low * low * per_length,
                              1e4 * high * high * per_length));
@@ -126,10 +126,10 @@ class SoftSupport final : public Effect {
     return specs;
   }
 
-  std::vector<Derived> derived(const Where& where,
-                               const Setting& setting) const override {
+  std::vector<Derived> derived(const Location& where,
+                               const TestContext& context) const override {
     std::vector<Derived> totals;
-    const std::vector<updating::SupportPart> parts = parts_of(where, setting);
+    const std::vector<updating::SupportPart> parts = parts_of(where, context);
     const auto add =
         [&](const std::string& name, std::size_t k, double factor) {
           if (totals.empty() || totals.back().name != name) {
@@ -154,22 +154,22 @@ class SoftSupport final : public Effect {
   }
 
   std::vector<structure::Constraint> released(
-      const Where& where, const Setting& setting) const override {
+      const Location& where, const TestContext& context) const override {
     std::vector<structure::Constraint> result;
-    const std::vector<updating::SupportPart> parts = parts_of(where, setting);
+    const std::vector<updating::SupportPart> parts = parts_of(where, context);
     for (const Spring& spring :
          springs_of(parts, std::vector<double>(parts.size(), 1.0))) {
       if (spring.with != 0) continue;
       const auto own =
-          card_component(*setting.deck, spring.node, spring.component);
+          card_component(*context.deck, spring.node, spring.component);
       if (own) result.push_back({spring.node, std::to_string(*own)});
     }
     return result;
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     std::vector<std::string> cards;
     int offset = 0;
@@ -178,13 +178,13 @@ class SoftSupport final : public Effect {
       offset += static_cast<int>(more.size());
     };
     for (const auto& [node, component, with, stiffness] :
-         springs_of(parts_of(where, setting), p)) {
+         springs_of(parts_of(where, context), p)) {
       if (with != 0) {
         append(structure::coupling_spring_cards(
-            *setting.deck, offset, node, {component, with}, stiffness));
+            *context.deck, offset, node, {component, with}, stiffness));
         continue;
       }
-      if (!card_component(*setting.deck, node, component)) {
+      if (!card_component(*context.deck, node, component)) {
         cards.push_back(fmt::format(
             "$ grid {}: no component along its axes (CD) is the one released; "
             "give it CD 0, then a CELAS2 of {:.4g} {} on component {}",
@@ -195,7 +195,7 @@ class SoftSupport final : public Effect {
         continue;
       }
       append(ground_spring_cards(
-          *setting.deck, offset, node, component, stiffness));
+          *context.deck, offset, node, component, stiffness));
     }
     return cards;
   }

@@ -16,7 +16,7 @@ double mass_left(double p) { return std::cbrt(p); }
 
 double mass_left_slope(double p) { return std::cbrt(p) / (3.0 * p); }
 
-std::vector<std::vector<int>> weakened_beside(const Where& where,
+std::vector<std::vector<int>> weakened_beside(const Location& where,
                                               const structure::Deck& deck) {
   if (!updating::has_edges(where)) return {};
   return updating::layers_beside(where.elements, deck);
@@ -36,19 +36,19 @@ class StiffnessLoss final : public Effect {
                  updating::pocket, updating::edges, updating::pocket_edges}}) {}
 
   // Each element, patches of growing size around it, whole properties.
-  std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result;
-    if (setting.deck == nullptr) return result;
-    for (std::vector<int>& patch : updating::element_patches(*setting.deck)) {
+  std::vector<Location> places(const TestContext& context) const override {
+    std::vector<Location> result;
+    if (context.deck == nullptr) return result;
+    for (std::vector<int>& patch : updating::element_patches(*context.deck)) {
       result.push_back({.elements = std::move(patch)});
     }
     return result;
   }
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     std::vector<ParameterSpec> specs = {{"factor", 0.5, 0.04, 1.0}};
-    const std::size_t edges = weakened_beside(where, *setting.deck).size();
+    const std::size_t edges = weakened_beside(where, *context.deck).size();
     for (std::size_t edge = 1; edge <= edges; ++edge) {
       specs.push_back({fmt::format("edge_{}_factor", edge), 0.9, 0.04, 1.0});
     }
@@ -56,8 +56,8 @@ class StiffnessLoss final : public Effect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>& p) const override {
     const auto line = [&where](const std::vector<int>& elements, double left) {
       return fmt::format(
@@ -70,7 +70,7 @@ class StiffnessLoss final : public Effect {
               : "");
     };
     std::vector<std::string> lines = {line(where.elements, p.front())};
-    for (const auto& layer : weakened_beside(where, *setting.deck)) {
+    for (const auto& layer : weakened_beside(where, *context.deck)) {
       lines.push_back(line(layer, p[lines.size()]));
     }
     return lines;

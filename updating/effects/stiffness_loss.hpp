@@ -20,6 +20,6 @@ namespace tapfit::effects {
 /// Elements that each parameter after the first scales: with edges the layers
 /// beside its own, else none.
 [[nodiscard]] std::vector<std::vector<int>> weakened_beside(
-    const updating::Where& where, const structure::Deck& deck);
+    const updating::Location& where, const structure::Deck& deck);
 
 }  // namespace tapfit::effects

@@ -8,7 +8,7 @@
 namespace tapfit::effects {
 
 double stiffest_spring(const Suspension& suspension,
-                       const ActedDof& at,
+                       const InterfaceDof& at,
                        const structure::Deck& deck) {
   Eigen::RowVectorXd b = Eigen::RowVectorXd::Zero(suspension.rigid.cols());
   const auto add = [&](int node, int component, double weight) {

@@ -24,7 +24,7 @@ struct Suspension {
 /// The stiffest spring to ground there that leaves the rigid-body modes as low
 /// as they are [N/m]; infinite where none of them moves it.
 [[nodiscard]] double stiffest_spring(const Suspension& suspension,
-                                     const ActedDof& at,
+                                     const InterfaceDof& at,
                                      const structure::Deck& deck);
 
 }  // namespace tapfit::effects

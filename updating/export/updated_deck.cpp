@@ -5,7 +5,7 @@
 #include "updating/diagnosis/named_diagnosis.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/stiffness_loss.hpp"
-#include "updating/fit/fit_setting.hpp"
+#include "updating/fit/fit_problem.hpp"
 #include "updating/properties/property_cards.hpp"
 #include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_property.hpp"
@@ -27,19 +27,19 @@ namespace tapfit::updating {
 
 namespace {
 
-effects::Setting setting_of(const acquisition::TestBundle& bundle,
-                            const structure::Deck& deck) {
-  effects::Setting setting;
-  setting.bundle = &bundle;
-  setting.deck = &deck;
-  setting.mass_kg = structure::total_mass(deck, structure::assemble(deck));
+effects::TestContext setting_of(const acquisition::TestBundle& bundle,
+                                const structure::Deck& deck) {
+  effects::TestContext context;
+  context.bundle = &bundle;
+  context.deck = &deck;
+  context.mass_kg = structure::total_mass(deck, structure::assemble(deck));
   if (bundle.band_hz) {
-    setting.low_hz = bundle.band_hz->front();
-    setting.high_hz = bundle.band_hz->back();
+    context.low_hz = bundle.band_hz->front();
+    context.high_hz = bundle.band_hz->back();
   }
-  setting.component = measured_component(bundle, deck);
-  setting.components = tested_components(bundle, deck);
-  return setting;
+  context.component = measured_component(bundle, deck);
+  context.components = tested_components(bundle, deck);
+  return context;
 }
 
 /// The identified values in the order the effect wants them; its start value
@@ -107,14 +107,14 @@ IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
 
 std::vector<structure::WeakElements> weak_elements(
     const std::vector<Candidate>& added_effects,
-    const effects::Setting& setting) {
+    const effects::TestContext& context) {
   std::vector<structure::WeakElements> weak;
   for (const auto& added : added_effects) {
     const effects::Effect& effect = effects::find(added.effect);
     if (effect.changes_stiffness() != ChangeKind::Elements) continue;
     const std::vector<double> p =
-        values(added.parameters, effect.parameters(added.where, setting));
-    auto groups = effects::weakened_beside(added.where, *setting.deck);
+        values(added.parameters, effect.parameters(added.where, context));
+    auto groups = effects::weakened_beside(added.where, *context.deck);
     groups.insert(groups.begin(), added.where.elements);
     for (std::size_t k = 0; k < groups.size(); ++k) {
       weak.push_back(
@@ -149,20 +149,20 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
                      const acquisition::TestBundle& bundle,
                      const structure::Deck& deck) {
   structure::Deck with_ids = deck;
-  effects::Setting setting = setting_of(bundle, deck);
-  setting.deck = &with_ids;
+  effects::TestContext context = setting_of(bundle, deck);
+  context.deck = &with_ids;
   EffectCards cards;
   for (const auto& added : added_effects) {
     const effects::Effect& effect = effects::find(added.effect);
-    Where where = added.where;
+    Location where = added.where;
     cards.added.push_back(fmt::format("$ {}: {}",
                                       effect_text(added.effect, added.where),
                                       parameters_text(added.parameters)));
     const auto p =
-        values(added.parameters, effect.parameters(added.where, setting));
+        values(added.parameters, effect.parameters(added.where, context));
     if (effect.changes_stiffness() == ChangeKind::Joint) {
       const effects::JointCards joint =
-          effects::joint_cards(added.where, setting, p.front());
+          effects::joint_cards(added.where, context, p.front());
       if (!move_side(joint, cards.moves)) {
         cards.added.emplace_back(
             "$ not written: it crosses another joint at a grid");
@@ -180,7 +180,7 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
       where.node = with_ids.grids.back().id;
       where.at.clear();
     }
-    for (std::string& card : effect.bulk_data(where, setting, p)) {
+    for (std::string& card : effect.bulk_data(where, context, p)) {
       take_id(card, with_ids);
       cards.added.push_back(std::move(card));
     }
@@ -202,16 +202,16 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
                          const std::vector<Candidate>& added_effects,
                          const std::vector<Estimate>& identified,
                          const std::vector<ModelForm>& form) {
-  const effects::Setting setting = setting_of(bundle, deck);
+  const effects::TestContext context = setting_of(bundle, deck);
   std::vector<structure::Constraint> released;
   for (const auto& added : added_effects) {
-    const auto out = effects::find(added.effect).released(added.where, setting);
+    const auto out = effects::find(added.effect).released(added.where, context);
     released.insert(released.end(), out.begin(), out.end());
   }
   const IdentifiedCards cards =
       identified_cards(bundle, deck, identified, form);
   const structure::WeakenCards weak(deck,
-                                    weak_elements(added_effects, setting));
+                                    weak_elements(added_effects, context));
   EffectCards written = cards_of(added_effects, bundle, deck);
   std::vector<bool> done;
   const structure::CardEdit rescale =

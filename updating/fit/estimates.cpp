@@ -41,7 +41,7 @@ void turn_sign(Estimate& e) {
 
 // A sum of parameters is a logarithm's exponential too, to first order.
 Estimate sum_of(const effects::Effect::Derived& derived,
-                const PlacedEffect& placed,
+                const EffectInstance& placed,
                 const std::vector<effects::ParameterSpec>& specs,
                 const Fit& fit,
                 std::size_t first) {
@@ -73,28 +73,28 @@ double variance_at(const Fit& fit, std::size_t k) {
 
 }  // namespace
 
-std::string label_of(const std::vector<PlacedEffect>& effects,
+std::string label_of(const std::vector<EffectInstance>& effects,
                      std::size_t own) {
-  const PlacedEffect& placed = effects.at(own);
+  const EffectInstance& placed = effects.at(own);
   const auto kind =
-      std::ranges::count(effects, placed.effect, &PlacedEffect::effect);
+      std::ranges::count(effects, placed.effect, &EffectInstance::effect);
   const std::string name = placed.effect->name();
   return kind > 1 ? fmt::format("{} ({})", name, describe(placed.where)) : name;
 }
 
 std::vector<Estimate> effect_estimates(const Fit& fit,
                                        std::size_t effect,
-                                       const effects::Setting& setting) {
+                                       const effects::TestContext& context) {
   const ModelState& state = fit.result.state;
   std::size_t at =
       state.factor.size() + static_cast<std::size_t>(state.zeta.size());
   for (std::size_t e = 0; e < effect; ++e) at += state.effects[e].p.size();
-  const PlacedEffect& placed = state.effects[effect];
+  const EffectInstance& placed = state.effects[effect];
   const std::vector<effects::ParameterSpec> specs =
       parameters_of(placed, *fit.model);
   std::vector<Estimate> result;
   for (const effects::Effect::Derived& derived :
-       placed.effect->derived(placed.where, setting)) {
+       placed.effect->derived(placed.where, context)) {
     result.push_back(sum_of(derived, placed, specs, fit, at));
   }
   for (const auto& [name, value] : placed.effect->fixed(placed.where)) {
@@ -124,10 +124,10 @@ std::vector<Estimate> property_estimates(
 
 std::vector<Estimate> all_estimates(const Fit& fit,
                                     const std::vector<PropertyName>& names,
-                                    const effects::Setting& setting) {
+                                    const effects::TestContext& context) {
   std::vector<Estimate> result = property_estimates(fit, names);
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
-    for (Estimate e : effect_estimates(fit, k, setting)) {
+    for (Estimate e : effect_estimates(fit, k, context)) {
       e.name = label_of(fit.effects, k) + " " + e.name;
       result.push_back(std::move(e));
     }
@@ -136,7 +136,7 @@ std::vector<Estimate> all_estimates(const Fit& fit,
 }
 
 std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
-                           const effects::Setting& setting) {
+                           const effects::TestContext& context) {
   std::vector<Rung> ladder;
   for (const Fit& fit : fits) {
     Rung rung;
@@ -147,7 +147,7 @@ std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
       const std::size_t last = fit.effects.size() - 1;
       rung.added = fit.effects[last].effect->name();
       rung.where = fit.effects[last].where;
-      rung.parameters = effect_estimates(fit, last, setting);
+      rung.parameters = effect_estimates(fit, last, context);
     }
     ladder.push_back(std::move(rung));
   }

@@ -20,13 +20,13 @@ struct PropertyName {
 };
 
 /// "added-mass", or "added-mass (node 5)" where it is not alone of its kind.
-[[nodiscard]] std::string label_of(const std::vector<PlacedEffect>& effects,
+[[nodiscard]] std::string label_of(const std::vector<EffectInstance>& effects,
                                    std::size_t own);
 
 /// Parameters of the fit's effect at a position, with derived ones (a total
 /// from a value per metre).
 [[nodiscard]] std::vector<Estimate> effect_estimates(
-    const Fit& fit, std::size_t effect, const effects::Setting& setting);
+    const Fit& fit, std::size_t effect, const effects::TestContext& context);
 
 /// The uncertain base properties of the fit, in their own units.
 [[nodiscard]] std::vector<Estimate> property_estimates(
@@ -36,11 +36,11 @@ struct PropertyName {
 [[nodiscard]] std::vector<Estimate> all_estimates(
     const Fit& fit,
     const std::vector<PropertyName>& names,
-    const effects::Setting& setting);
+    const effects::TestContext& context);
 
 /// The error ladder of successive fits: base, what is uncertain in it (a fit
 /// without effects), then one rung per effect.
 [[nodiscard]] std::vector<Rung> rungs_of(const std::vector<Fit>& fits,
-                                         const effects::Setting& setting);
+                                         const effects::TestContext& context);
 
 }  // namespace tapfit::updating

@@ -3,7 +3,7 @@
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/stiffness_loss.hpp"
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 #include "updating/fit/fitted_form.hpp"
 #include "updating/fit/typical_damping.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
@@ -21,10 +21,10 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 
-std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
+std::vector<effects::ParameterSpec> parameters_of(const EffectInstance& effect,
                                                   const FrfModel& model) {
   std::vector<effects::ParameterSpec> specs =
-      effect.effect->parameters(effect.where, model.setting());
+      effect.effect->parameters(effect.where, model.context());
   for (const StiffnessTerm& term : model.base().terms) {
     if (!is_of(term, effect) || specs.empty()) continue;
     effects::ParameterSpec& spec = specs[term.parameter];
@@ -35,38 +35,39 @@ std::vector<effects::ParameterSpec> parameters_of(const PlacedEffect& effect,
   return specs;
 }
 
-Fitter::Fitter(const BaseBuilder& builder, FitSetting setting)
-    : builder_(&builder), setting_(std::move(setting)) {}
+Fitter::Fitter(const BaseBuilder& builder, FitProblem problem)
+    : builder_(&builder), problem_(std::move(problem)) {}
 
-Fitter Fitter::with(FitSetting setting) const {
+Fitter Fitter::with(FitProblem problem) const {
   Fitter other = *this;
-  other.setting_ = std::move(setting);
+  other.problem_ = std::move(problem);
   return other;
 }
 
 void Fitter::set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias) {
   coarser_ = &coarser;
-  plain_coarser_ = Fitter(coarser, setting_).model_for({});
-  setting_.targets.back().mesh_bias = bias;
+  plain_coarser_ = Fitter(coarser, problem_).model_for({});
+  problem_.targets.back().mesh_bias = bias;
 }
 
-const std::vector<Where>& Fitter::places(const effects::Effect& effect) const {
+const std::vector<Location>& Fitter::places(
+    const effects::Effect& effect) const {
   const std::scoped_lock lock(places_->mutex);
   const auto [it, fresh] = places_->of.try_emplace(&effect);
   if (fresh) {
-    if (setting_.modes && !effect.shows_in_modes()) return it->second;
-    it->second = effect.places(setting_.setting);
+    if (problem_.modes && !effect.shows_in_modes()) return it->second;
+    it->second = effect.places(problem_.context);
     const bool anywhere = effect.sits_at_grid() ||
                           effect.changes_stiffness() == ChangeKind::Joint;
-    if (anywhere) it->second = told_apart(it->second, *setting_.setting.deck);
+    if (anywhere) it->second = told_apart(it->second, *problem_.context.deck);
   }
   return it->second;
 }
 
 namespace {
 
-bool change_stiffness(const std::vector<PlacedEffect>& effects) {
-  return std::ranges::any_of(effects, [](const PlacedEffect& e) {
+bool change_stiffness(const std::vector<EffectInstance>& effects) {
+  return std::ranges::any_of(effects, [](const EffectInstance& e) {
     return e.effect->changes_stiffness().has_value();
   });
 }
@@ -74,24 +75,24 @@ bool change_stiffness(const std::vector<PlacedEffect>& effects) {
 }  // namespace
 
 std::shared_ptr<const FrfModel> Fitter::model_for(
-    const std::vector<PlacedEffect>& effects, BaseUse use) const {
-  const std::vector<int> acted = acted_points(setting_.setting, effects);
+    const std::vector<EffectInstance>& effects, BaseUse use) const {
+  const std::vector<int> acted = acted_points(problem_.context, effects);
   std::vector<StiffnessChange> changes;
-  for (const PlacedEffect& e : effects) {
+  for (const EffectInstance& e : effects) {
     const auto kind = e.effect->changes_stiffness();
     if (!kind) continue;
     changes.push_back(
         {*kind,
          {e.effect->name(), e.where},
          *kind == ChangeKind::Joint
-             ? effects::turned_across(e.where, setting_.setting)
-             : setting_.setting.component,
-         effects::weakened_beside(e.where, *setting_.setting.deck)});
+             ? effects::turned_across(e.where, problem_.context)
+             : problem_.context.component,
+         effects::weakened_beside(e.where, *problem_.context.deck)});
   }
   auto model = std::make_shared<FrfModel>(builder_->build(acted, changes, use),
-                                          setting_.setting,
-                                          setting_.measured,
-                                          setting_.modes);
+                                          problem_.context,
+                                          problem_.measured,
+                                          problem_.modes);
   model->set_reference(first_state(*model, effects));
   if (use == BaseUse::Fit && !change_stiffness(effects)) {
     model->set_coarser(plain_coarser_);
@@ -101,10 +102,10 @@ std::shared_ptr<const FrfModel> Fitter::model_for(
 
 std::shared_ptr<const FrfModel> Fitter::with_coarser(
     std::shared_ptr<const FrfModel> model,
-    const std::vector<PlacedEffect>& effects) const {
+    const std::vector<EffectInstance>& effects) const {
   if (coarser_ == nullptr || model->coarser() != nullptr) return model;
   auto both = std::make_shared<FrfModel>(*model);
-  both->set_coarser(Fitter(*coarser_, setting_).model_for(effects));
+  both->set_coarser(Fitter(*coarser_, problem_).model_for(effects));
   return both;
 }
 
@@ -116,7 +117,7 @@ Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
   Ground ground{with_mesh_at(*before.model,
                              coarser,
                              state,
-                             setting_.uncertain_sd.size() -
+                             problem_.uncertain_sd.size() -
                                  before.model->base().corrections.size()),
                 before.target};
   if (change_stiffness(state.effects)) {
@@ -134,7 +135,7 @@ class Fitter::Course {
          ModelState start,
          const Progress& progress)
       : fitter_(&fitter),
-        targets_(fitter.setting_.targets),
+        targets_(fitter.problem_.targets),
         model_(std::move(model)),
         progress_(&progress) {
     result_.state = std::move(start);
@@ -215,7 +216,7 @@ class Fitter::Course {
     const Eigen::VectorXd& r = fit.result.residual;
     const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
     fit.form = view(form_error(F), r, readjustment(fit.result));
-    fit.form.allowance = fitter_->setting_.form_allowance;
+    fit.form.allowance = fitter_->problem_.form_allowance;
     const FormEstimate form =
         estimate_form(fit.form, most_data(target), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
@@ -235,7 +236,7 @@ class Fitter::Course {
                      state,
                      fitter_->prior_for(*model_, state),
                      options,
-                     watched_part(*progress_, from, done_));
+                     observed_part(*progress_, from, done_));
     // It starts where the last step of the stage ended.
     const bool again =
         !history_.empty() && history_.back().stage == static_cast<int>(stage);
@@ -273,7 +274,7 @@ class Fitter::Course {
     ModelState& state = result_.state;
     const double now = typical_damping(result_);
     if (std::abs(std::log(now / state.zeta_other)) <
-        0.2 * fitter_->setting_.damping_spread) {
+        0.2 * fitter_->problem_.damping_spread) {
       return false;
     }
     state.zeta_other = now;
@@ -306,7 +307,7 @@ constexpr MinimiseOptions brief{2, 1e-3, 1e-1};
 
 }  // namespace
 
-Fit Fitter::approach(const std::vector<PlacedEffect>& start,
+Fit Fitter::approach(const std::vector<EffectInstance>& start,
                      std::shared_ptr<const FrfModel> model,
                      const Progress& progress) const {
   ModelState first = start_state(*model, start);
@@ -322,7 +323,7 @@ Fit Fitter::arrive(Fit approached, const Progress& progress) const {
   return std::move(course).finished();
 }
 
-Fit Fitter::fit(const std::vector<PlacedEffect>& start,
+Fit Fitter::fit(const std::vector<EffectInstance>& start,
                 std::shared_ptr<const FrfModel> model,
                 const Progress& progress,
                 const Fit* before) const {
@@ -341,7 +342,7 @@ Fit Fitter::fit(const std::vector<PlacedEffect>& start,
 }
 
 Fit Fitter::fit_beside(const Fit& fit,
-                       const std::vector<PlacedEffect>& effects,
+                       const std::vector<EffectInstance>& effects,
                        std::shared_ptr<const FrfModel> model,
                        const Progress& progress) const {
   ModelState first = beside(*model, effects, fit);

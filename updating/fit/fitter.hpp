@@ -28,8 +28,8 @@ namespace tapfit::updating {
 
 /// Everything that fits of one test share. The targets are ordered from the
 /// widest line to the one that counts.
-struct FitSetting {
-  effects::Setting setting;
+struct FitProblem {
+  effects::TestContext context;
   std::vector<Target> targets;
   signal::FrfSet measured;  ///< on the last target's line
   /// In place of FRFs, or null: then there is one target.
@@ -43,7 +43,7 @@ struct FitSetting {
 };
 
 struct Fit {
-  std::vector<PlacedEffect> effects;
+  std::vector<EffectInstance> effects;
   UpdateResult result;
   std::shared_ptr<const FrfModel> model;
   int stopped_after = 0;  ///< steps, where it was ended by hand, else 0
@@ -55,19 +55,19 @@ struct Fit {
 /// The effect's parameters with the ranges and starts that the model's base
 /// gives those that change its stiffness.
 [[nodiscard]] std::vector<effects::ParameterSpec> parameters_of(
-    const PlacedEffect& effect, const FrfModel& model);
+    const EffectInstance& effect, const FrfModel& model);
 
 class Fitter {
  public:
-  Fitter(const BaseBuilder& builder, FitSetting setting);
+  Fitter(const BaseBuilder& builder, FitProblem problem);
 
   /// The same model under another setting: other priors, fewer runs in use.
-  /// @param setting with as many uncertain properties, on the same lines
-  [[nodiscard]] Fitter with(FitSetting setting) const;
+  /// @param problem with as many uncertain properties, on the same lines
+  [[nodiscard]] Fitter with(FitProblem problem) const;
 
   /// Model whose base holds the points and supports of all effects given.
   [[nodiscard]] std::shared_ptr<const FrfModel> model_for(
-      const std::vector<PlacedEffect>& effects,
+      const std::vector<EffectInstance>& effects,
       BaseUse use = BaseUse::Fit) const;
 
   /// With the same on the deck's own mesh, where the base's is split. For what
@@ -75,7 +75,7 @@ class Fitter {
   /// leaves out: a fit asks for it once it comes to the lines that count.
   [[nodiscard]] std::shared_ptr<const FrfModel> with_coarser(
       std::shared_ptr<const FrfModel> model,
-      const std::vector<PlacedEffect>& effects) const;
+      const std::vector<EffectInstance>& effects) const;
 
   /// Fits effects' parameters, uncertain properties and damping together. The
   /// modes beyond those fitted have the ratio that is typical of these, without
@@ -85,14 +85,14 @@ class Fitter {
   /// @param model as from model_for(), for these effects or more
   /// @param before a fit of the first of these effects, if there is one: where
   ///   more effects end with more error they go on from there
-  [[nodiscard]] Fit fit(const std::vector<PlacedEffect>& start,
+  [[nodiscard]] Fit fit(const std::vector<EffectInstance>& start,
                         std::shared_ptr<const FrfModel> model,
                         const Progress& progress = {},
                         const Fit* before = nullptr) const;
 
   /// fit() but for its end: the wide lines, then a few steps on those that
   /// count. Its likelihood is, to first order, that of the end.
-  [[nodiscard]] Fit approach(const std::vector<PlacedEffect>& start,
+  [[nodiscard]] Fit approach(const std::vector<EffectInstance>& start,
                              std::shared_ptr<const FrfModel> model,
                              const Progress& progress = {}) const;
 
@@ -103,7 +103,7 @@ class Fitter {
   /// theirs: only on the lines that count.
   /// @param model as from model_for(), for the effects at these places
   [[nodiscard]] Fit fit_beside(const Fit& fit,
-                               const std::vector<PlacedEffect>& effects,
+                               const std::vector<EffectInstance>& effects,
                                std::shared_ptr<const FrfModel> model,
                                const Progress& progress = {}) const;
 
@@ -119,17 +119,17 @@ class Fitter {
   /// scan over all that it may be.
   /// @param before a fit from whose properties it goes on; none: the deck's
   [[nodiscard]] ModelState start_state(const FrfModel& model,
-                                       const std::vector<PlacedEffect>& start,
+                                       const std::vector<EffectInstance>& start,
                                        const Fit* before = nullptr) const;
   /// Where a fit of the first of these effects, or of all, ended, with the
   /// others at that end of their bounds where they change least: as good as not
   /// there. Nothing where it is no such fit.
   [[nodiscard]] std::optional<ModelState> continued(
       const FrfModel& model,
-      const std::vector<PlacedEffect>& effects,
+      const std::vector<EffectInstance>& effects,
       const Fit& before) const;
   [[nodiscard]] ModelState first_state(
-      const FrfModel& model, const std::vector<PlacedEffect>& effects) const;
+      const FrfModel& model, const std::vector<EffectInstance>& effects) const;
 
   /// What fits need to know of the mesh's error.
   /// @param coarser the deck's own mesh, where that of the base is split
@@ -138,19 +138,19 @@ class Fitter {
 
   /// Where an effect may be in this setting, so far as a measurement could tell
   /// places apart; worked out when first asked for.
-  [[nodiscard]] const std::vector<Where>& places(
+  [[nodiscard]] const std::vector<Location>& places(
       const effects::Effect& effect) const;
 
   [[nodiscard]] const BaseBuilder& builder() const { return *builder_; }
-  [[nodiscard]] const FitSetting& setting() const { return setting_; }
-  [[nodiscard]] const Target& target() const { return setting_.targets.back(); }
+  [[nodiscard]] const FitProblem& problem() const { return problem_; }
+  [[nodiscard]] const Target& target() const { return problem_.targets.back(); }
 
  private:
   [[nodiscard]] ModelState going_on(const FrfModel& model,
-                                    const std::vector<PlacedEffect>& effects,
+                                    const std::vector<EffectInstance>& effects,
                                     const ModelState& from) const;
   [[nodiscard]] ModelState beside(const FrfModel& model,
-                                  const std::vector<PlacedEffect>& effects,
+                                  const std::vector<EffectInstance>& effects,
                                   const Fit& fit) const;
   void scan_start(const FrfModel& model, ModelState& state) const;
 
@@ -166,11 +166,11 @@ class Fitter {
   const BaseBuilder* builder_;
   const BaseBuilder* coarser_ = nullptr;
   std::shared_ptr<const FrfModel> plain_coarser_;  // with no effect
-  FitSetting setting_;
+  FitProblem problem_;
 
   struct KnownPlaces {
     std::mutex mutex;
-    std::map<const effects::Effect*, std::vector<Where>> of;
+    std::map<const effects::Effect*, std::vector<Location>> of;
   };
   std::shared_ptr<KnownPlaces> places_ = std::make_shared<KnownPlaces>();
 };

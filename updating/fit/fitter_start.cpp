@@ -15,18 +15,18 @@ constexpr int start_scan = 16;
 
 }  // namespace
 
-ModelState Fitter::first_state(const FrfModel& model,
-                               const std::vector<PlacedEffect>& effects) const {
+ModelState Fitter::first_state(
+    const FrfModel& model, const std::vector<EffectInstance>& effects) const {
   ModelState state;
-  state.factor.assign(setting_.uncertain_sd.size(), 1.0);
+  state.factor.assign(problem_.uncertain_sd.size(), 1.0);
   state.effects = effects;
-  state.zeta_other = setting_.damping_ratio;
+  state.zeta_other = problem_.damping_ratio;
   // Modes say nothing of what their damping does to others.
-  if (state.damping_law() != nullptr || setting_.modes) return state;
+  if (state.damping_law() != nullptr || problem_.modes) return state;
   const Eigen::VectorXd omega = model.base_modes(state).omega;
-  const double top = 2.0 * std::numbers::pi * setting_.setting.high_hz * 1.1;
+  const double top = 2.0 * std::numbers::pi * problem_.context.high_hz * 1.1;
   const auto in_band = (omega.array() < top).count();
-  state.zeta = Eigen::VectorXd::Constant(in_band, setting_.damping_ratio);
+  state.zeta = Eigen::VectorXd::Constant(in_band, problem_.damping_ratio);
   return state;
 }
 
@@ -39,14 +39,14 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
   prior.lower = Eigen::VectorXd::Constant(n, -infinite);
   prior.upper = Eigen::VectorXd::Constant(n, infinite);
   Index k = 0;
-  for (const double sd : setting_.uncertain_sd) {
+  for (const double sd : problem_.uncertain_sd) {
     prior.sd(k) = sd;
     prior.lower(k) = -1.0;
     prior.upper(k) = 1.0;
     ++k;
   }
-  k -= static_cast<Index>(setting_.corrections.size());
-  for (const Correction& correction : setting_.corrections) {
+  k -= static_cast<Index>(problem_.corrections.size());
+  for (const Correction& correction : problem_.corrections) {
     prior.mean(k) = correction.mean;
     prior.lower(k) = correction.lower;
     prior.upper(k) = correction.upper;
@@ -54,11 +54,11 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
   }
   for (Index q = 0; q < state.zeta.size(); ++q, ++k) {
     prior.mean(k) = std::log(state.zeta_other);
-    prior.sd(k) = setting_.damping_spread;
+    prior.sd(k) = problem_.damping_spread;
     prior.lower(k) = std::log(1e-5);
     prior.upper(k) = std::log(0.5);
   }
-  for (const PlacedEffect& e : state.effects) {
+  for (const EffectInstance& e : state.effects) {
     for (const effects::ParameterSpec& spec : parameters_of(e, model)) {
       prior.lower(k) = std::log(spec.lower);
       prior.upper(k) = std::log(spec.upper);
@@ -76,7 +76,7 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   if (state.effects.empty()) return;
   std::vector<double>& p = state.effects.back().p;
   const Prior prior = prior_for(model, state);
-  const Target& wide = setting_.targets.front();
+  const Target& wide = problem_.targets.front();
   const Index first = prior.lower.size() - static_cast<Index>(p.size());
   double least = relative_error(wide, model.respond(state, wide.s, false).H);
   for (std::size_t k = 0; k < p.size(); ++k) {
@@ -100,9 +100,9 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
 namespace {
 
 // Sizes that this structure may have.
-std::vector<PlacedEffect> in_range(std::vector<PlacedEffect> effects,
-                                   const FrfModel& model) {
-  for (PlacedEffect& e : effects) {
+std::vector<EffectInstance> in_range(std::vector<EffectInstance> effects,
+                                     const FrfModel& model) {
+  for (EffectInstance& e : effects) {
     const std::vector<effects::ParameterSpec> specs = parameters_of(e, model);
     for (std::size_t k = 0; k < specs.size(); ++k) {
       // A catalogue start knows nothing of this structure's own stiffness.
@@ -116,7 +116,7 @@ std::vector<PlacedEffect> in_range(std::vector<PlacedEffect> effects,
 }  // namespace
 
 ModelState Fitter::start_state(const FrfModel& model,
-                               const std::vector<PlacedEffect>& start,
+                               const std::vector<EffectInstance>& start,
                                const Fit* before) const {
   ModelState state = first_state(model, in_range(start, model));
   if (before != nullptr) state.factor = before->result.state.factor;
@@ -128,7 +128,7 @@ ModelState Fitter::start_state(const FrfModel& model,
 // another number of modes in the band at its start, or give way to a law for
 // the damping.
 ModelState Fitter::going_on(const FrfModel& model,
-                            const std::vector<PlacedEffect>& effects,
+                            const std::vector<EffectInstance>& effects,
                             const ModelState& from) const {
   ModelState whole = first_state(model, effects);
   whole.factor = from.factor;
@@ -141,7 +141,7 @@ ModelState Fitter::going_on(const FrfModel& model,
 
 // Where a fit of the same effects ended, at other places.
 ModelState Fitter::beside(const FrfModel& model,
-                          const std::vector<PlacedEffect>& effects,
+                          const std::vector<EffectInstance>& effects,
                           const Fit& fit) const {
   ModelState state = going_on(model, effects, fit.result.state);
   for (std::size_t k = 0; k < effects.size(); ++k) {
@@ -154,16 +154,16 @@ ModelState Fitter::beside(const FrfModel& model,
 
 std::optional<ModelState> Fitter::continued(
     const FrfModel& model,
-    const std::vector<PlacedEffect>& effects,
+    const std::vector<EffectInstance>& effects,
     const Fit& before) const {
   const ModelState& fewer = before.result.state;
   const std::size_t n = fewer.effects.size();
-  const auto same = [](const PlacedEffect& a, const PlacedEffect& b) {
+  const auto same = [](const EffectInstance& a, const EffectInstance& b) {
     return a.effect == b.effect && a.where == b.where;
   };
   const bool contains =
       n <= effects.size() &&
-      fewer.factor.size() == setting_.uncertain_sd.size() &&
+      fewer.factor.size() == problem_.uncertain_sd.size() &&
       std::equal(
           fewer.effects.begin(), fewer.effects.end(), effects.begin(), same);
   if (!contains) return std::nullopt;
@@ -172,7 +172,7 @@ std::optional<ModelState> Fitter::continued(
   const auto with = [&](double effects::ParameterSpec::*bound) {
     ModelState result = whole;
     for (std::size_t k = n; k < effects.size(); ++k) {
-      PlacedEffect& effect = result.effects[k];
+      EffectInstance& effect = result.effects[k];
       const auto specs = parameters_of(effect, model);
       for (std::size_t p = 0; p < specs.size(); ++p) {
         effect.p[p] = specs[p].*bound;

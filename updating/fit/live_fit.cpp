@@ -20,48 +20,48 @@ using Eigen::Index;
 LiveParameter parameter(std::string name,
                         double value,
                         Index k,
-                        const FitMoment& moment) {
+                        const IterationSummary& summary) {
   // ln value - theta: the scale of a property's factor.
-  const double scale = value / std::exp(moment.step.theta(k));
+  const double scale = value / std::exp(summary.step.theta(k));
   return {std::move(name),
           value,
-          value * std::sqrt(std::max(moment.covariance(k, k), 0.0)),
-          scale * std::exp(moment.prior.lower(k)),
-          scale * std::exp(moment.prior.upper(k))};
+          value * std::sqrt(std::max(summary.covariance(k, k), 0.0)),
+          scale * std::exp(summary.prior.lower(k)),
+          scale * std::exp(summary.prior.upper(k))};
 }
 
-std::vector<LiveParameter> parameters(const FitMoment& moment) {
-  const effects::Setting& setting = moment.model.setting();
-  const ModelState& state = moment.state;
+std::vector<LiveParameter> parameters(const IterationSummary& summary) {
+  const effects::TestContext& context = summary.model.context();
+  const ModelState& state = summary.state;
   std::vector<LiveParameter> result;
-  const auto& uncertain = setting.bundle->uncertain;
+  const auto& uncertain = context.bundle->uncertain;
   for (std::size_t k = 0; k < state.factor.size() && k < uncertain.size();
        ++k) {
     const PropertyLaw law =
-        property_law(*setting.deck, uncertain[k], "test.json: uncertain");
+        property_law(*context.deck, uncertain[k], "test.json: uncertain");
     result.push_back(parameter(law.name,
                                law.nominal * state.factor[k],
                                static_cast<Index>(k),
-                               moment));
+                               summary));
   }
   Index k = static_cast<Index>(state.factor.size()) + state.zeta.size();
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
-    const PlacedEffect& placed = state.effects[e];
+    const EffectInstance& placed = state.effects[e];
     const std::string label = label_of(state.effects, e);
-    const auto specs = placed.effect->parameters(placed.where, setting);
+    const auto specs = placed.effect->parameters(placed.where, context);
     for (std::size_t p = 0; p < specs.size(); ++p, ++k) {
       result.push_back(
-          parameter(label + " " + specs[p].name, placed.p[p], k, moment));
+          parameter(label + " " + specs[p].name, placed.p[p], k, summary));
     }
   }
   return result;
 }
 
-std::size_t worst_frf(const FitMoment& moment) {
+std::size_t worst_frf(const IterationSummary& summary) {
   Index worst = 0;
   double largest = -1.0;
-  for (Index f = 0; f < moment.H.cols(); ++f) {
-    const double error = frf_error(moment.target, moment.H, f);
+  for (Index f = 0; f < summary.H.cols(); ++f) {
+    const double error = frf_error(summary.target, summary.H, f);
     if (error <= largest) continue;
     largest = error;
     worst = f;
@@ -71,16 +71,17 @@ std::size_t worst_frf(const FitMoment& moment) {
 
 }  // namespace
 
-LiveFit live_fit(const FitMoment& moment, std::optional<std::size_t> frf) {
+LiveFit live_fit(const IterationSummary& summary,
+                 std::optional<std::size_t> frf) {
   LiveFit live;
-  live.error = moment.step.error;
-  live.parameters = parameters(moment);
-  if (moment.target.is_modal()) return live;  // modes are no curve
-  live.frf = frf.value_or(worst_frf(moment));
+  live.error = summary.step.error;
+  live.parameters = parameters(summary);
+  if (summary.target.is_modal()) return live;  // modes are no curve
+  live.frf = frf.value_or(worst_frf(summary));
   const auto column = static_cast<Index>(live.frf);
-  live.frequency_hz = moment.target.s.imag() / (2.0 * std::numbers::pi);
-  live.measured = moment.target.H.col(column).cwiseAbs();
-  live.model = moment.H.col(column).cwiseAbs();
+  live.frequency_hz = summary.target.s.imag() / (2.0 * std::numbers::pi);
+  live.measured = summary.target.H.col(column).cwiseAbs();
+  live.model = summary.H.col(column).cwiseAbs();
   return live;
 }
 

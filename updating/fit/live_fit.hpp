@@ -1,7 +1,7 @@
 // What a fit looks like after a step, for those who watch it run.
 #pragma once
 
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 
 #include <Eigen/Core>
 
@@ -30,7 +30,7 @@ struct LiveFit {
 };
 
 /// @param frf the FRF to look at; empty: the one with the largest error
-[[nodiscard]] LiveFit live_fit(const FitMoment& moment,
+[[nodiscard]] LiveFit live_fit(const IterationSummary& summary,
                                std::optional<std::size_t> frf);
 
 }  // namespace tapfit::updating

@@ -26,7 +26,7 @@ Progress numbered(const Progress& whole, const std::string& what, int number) {
   return with_number;
 }
 
-Progress never_falling(const Progress& whole) {
+Progress monotonic(const Progress& whole) {
   Progress rising{{}, whole.stop};
   if (!whole.report) return rising;
   // Copies of it are handed down, and all of them count.

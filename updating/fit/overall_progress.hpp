@@ -1,6 +1,6 @@
 // Long work that is made of parts as one share that never falls: who watches
 // it sees how far the whole is, whatever the parts report of themselves. A
-// watch does not go with them, but for watched_part().
+// observer does not go with them, but for observed_part().
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
@@ -20,6 +20,6 @@ namespace tapfit::updating {
 
 /// Passes on no share below one that was passed on before: parts may be done
 /// again, and some report each of their fits from 0 to 1.
-[[nodiscard]] Progress never_falling(const Progress& whole);
+[[nodiscard]] Progress monotonic(const Progress& whole);
 
 }  // namespace tapfit::updating

@@ -130,7 +130,7 @@ void take_damping(const PlainTask& task,
 
 // Which of the effects' parameters no structure can have, if any.
 std::string out_of_range(const FrfModel& model, const ModelState& state) {
-  for (const PlacedEffect& effect : state.effects) {
+  for (const EffectInstance& effect : state.effects) {
     const auto specs = parameters_of(effect, model);
     for (std::size_t k = 0; k < specs.size(); ++k) {
       const double p = effect.p[k];
@@ -219,7 +219,7 @@ PlainTask plain_task(const UpdateChoice& choice,
   task.options.lambda = choice.lambda;
   // What the mesh does to the modes is nothing that the data alone would tell
   // from stiffness.
-  task.options.properties = test.setting.bundle->uncertain.size();
+  task.options.properties = test.context.bundle->uncertain.size();
   VectorXd& peaks = task.options.measured_hz;
   peaks.resize(static_cast<Index>(test.modes.modes.size()));
   task.damping_ratio.resize(peaks.size());
@@ -235,7 +235,7 @@ PlainTask plain_task(const UpdateChoice& choice,
   }
   task.options.rule = gaps_of(choice.lines, peaks);
   const VectorXd hz = lines_of(
-      choice.lines, {test.setting.low_hz, test.setting.high_hz}, peaks);
+      choice.lines, {test.context.low_hz, test.context.high_hz}, peaks);
   // With the FRFs' own window, which the model takes part in.
   Eigen::VectorXcd s(hz.size());
   s.real().setConstant(known.sigma);
@@ -251,7 +251,7 @@ PlainTask plain_task(const UpdateChoice& choice,
 
 Fit plain_fit(const Fitter& fitter,
               const PlainTask& task,
-              const std::vector<PlacedEffect>& start,
+              const std::vector<EffectInstance>& start,
               std::shared_ptr<const FrfModel> model,
               const Fit& before) {
   const auto from = [&](const Fit* properties) {

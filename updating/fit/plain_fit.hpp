@@ -9,7 +9,7 @@
 // gives way to it where that does no better.
 #pragma once
 
-#include "updating/fit/fit_setting.hpp"
+#include "updating/fit/fit_problem.hpp"
 #include "updating/fit/fitter.hpp"
 #include "updating/fit/plain_updater.hpp"
 #include "updating/fit/update_choice.hpp"
@@ -47,7 +47,7 @@ struct KnownLines {
 /// @param before a fit, of either kind, of the first of these effects or of all
 [[nodiscard]] Fit plain_fit(const Fitter& fitter,
                             const PlainTask& task,
-                            const std::vector<PlacedEffect>& start,
+                            const std::vector<EffectInstance>& start,
                             std::shared_ptr<const FrfModel> model,
                             const Fit& before);
 

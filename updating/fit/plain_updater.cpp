@@ -31,7 +31,7 @@ class Parameters {
         properties_(std::min(options.properties.value_or(start.factor.size()),
                              start.factor.size())) {
     count_ = static_cast<Index>(properties_);
-    for (const PlacedEffect& e : start.effects) {
+    for (const EffectInstance& e : start.effects) {
       count_ += static_cast<Index>(e.p.size());
     }
   }
@@ -46,7 +46,7 @@ class Parameters {
     ModelState state = start_;
     Index k = 0;
     for (std::size_t j = 0; j < properties_; ++j) state.factor[j] = P(k++);
-    for (PlacedEffect& e : state.effects) {
+    for (EffectInstance& e : state.effects) {
       for (double& p : e.p) p *= P(k++);
     }
     return state;

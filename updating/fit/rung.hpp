@@ -16,7 +16,7 @@ inline constexpr const char* uncertain_rung = "uncertain properties";
 
 struct Rung {
   std::string added;  ///< effect, or one of the names above
-  Where where;
+  Location where;
   double error = 0.0;
   std::vector<Estimate> parameters;
   double probability = 1.0;  ///< among all tried with the same other effects

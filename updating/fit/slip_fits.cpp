@@ -7,28 +7,28 @@ namespace tapfit::updating {
 namespace {
 
 // Of a deck in the place of the fitter's own.
-FitSetting setting_of(const structure::Deck& deck, const Fitter& like) {
-  FitSetting setting = like.setting();
-  setting.setting.deck = &deck;
+FitProblem problem_of(const structure::Deck& deck, const Fitter& like) {
+  FitProblem problem = like.problem();
+  problem.context.deck = &deck;
   // Those of corrections come last, and belong to the split mesh.
-  const std::size_t own = setting.setting.bundle->uncertain.size();
-  setting.uncertain_sd.resize(own);
-  setting.corrections.clear();
-  return setting;
+  const std::size_t own = problem.context.bundle->uncertain.size();
+  problem.uncertain_sd.resize(own);
+  problem.corrections.clear();
+  return problem;
 }
 
 SlipFit fit_through_base(const structure::Deck& deck,
                          const Fitter& like,
                          const Progress& progress) {
-  const Fitter fitter(like.builder(), setting_of(deck, like));
-  const FitSetting& setting = fitter.setting();
+  const Fitter fitter(like.builder(), problem_of(deck, like));
+  const FitProblem& problem = fitter.problem();
   auto model = std::make_shared<FrfModel>(like.builder().through_base(deck),
-                                          setting.setting,
-                                          setting.measured,
-                                          setting.modes);
+                                          problem.context,
+                                          problem.measured,
+                                          problem.modes);
   model->set_reference(fitter.first_state(*model, {}));
   const Fit fit = fitter.fit({}, std::move(model), {{}, progress.stop});
-  const Target& wide = setting.targets.front();
+  const Target& wide = problem.targets.front();
   const double error = relative_error(
       wide, fit.model->respond(fit.result.state, wide.s, false).H);
   return {{}, {}, error, fit.log_likelihood};
@@ -38,7 +38,7 @@ SlipFit fit_of(const structure::Deck& deck,
                const Fitter& like,
                const Progress& progress) {
   const BaseBuilder builder = like.builder().for_deck(deck);
-  const Fitter fitter(builder, setting_of(deck, like));
+  const Fitter fitter(builder, problem_of(deck, like));
   const Fit fit = fitter.fit({}, fitter.model_for({}), {{}, progress.stop});
   return {{}, {}, fit.result.error, fit.log_likelihood};
 }
@@ -49,7 +49,7 @@ SlipFits fit_each_deck(const Fitter& fitter,
                        const std::vector<CardSlip>& slips,
                        const Progress& progress,
                        const FitOne& fit_one) {
-  const structure::Deck& deck = *fitter.setting().setting.deck;
+  const structure::Deck& deck = *fitter.problem().context.deck;
   SlipFits fits;
   if (slips.empty()) return fits;
   fits.plain = fit_one(deck, fitter, progress);

@@ -23,7 +23,7 @@ struct Named {
 };
 
 Named named_parameters(const Fit& fit,
-                       const effects::Setting& setting,
+                       const effects::TestContext& context,
                        const std::vector<PropertyName>& properties) {
   const ModelState& state = fit.result.state;
   const std::vector<Correction>& corrections = fit.model->base().corrections;
@@ -45,10 +45,10 @@ Named named_parameters(const Fit& fit,
     add(fmt::format("damping of mode {}", q + 1), 1.0, false);
   }
   for (std::size_t k = 0; k < state.effects.size(); ++k) {
-    const PlacedEffect& e = state.effects[k];
+    const EffectInstance& e = state.effects[k];
     const std::string label = label_of(state.effects, k);
     for (const effects::ParameterSpec& spec :
-         e.effect->parameters(e.where, setting)) {
+         e.effect->parameters(e.where, context)) {
       add(label + " " + spec.name, 1.0, true);
     }
   }
@@ -101,11 +101,11 @@ RecordedStep recorded(const UpdateStep& step, const Named& named) {
 }  // namespace
 
 UpdateRecord record_of(const Fit& fit,
-                       const effects::Setting& setting,
+                       const effects::TestContext& context,
                        const std::vector<PropertyName>& names,
                        const std::string& lines) {
   const UpdateResult& result = fit.result;
-  Named named = named_parameters(fit, setting, names);
+  Named named = named_parameters(fit, context, names);
   // What was held is no parameter of the fit.
   std::erase_if(named.shown, [&result](Index k) {
     return k < result.covariance.rows() && !(result.covariance(k, k) > 0.0);
@@ -131,12 +131,12 @@ UpdateRecord record_of(const Fit& fit,
 }
 
 std::vector<UpdateRecord> records_of(const std::vector<Fit>& fits,
-                                     const effects::Setting& setting,
+                                     const effects::TestContext& context,
                                      const std::vector<PropertyName>& names,
                                      const std::string& lines) {
   std::vector<UpdateRecord> records;
   for (std::size_t k = 1; k < fits.size(); ++k) {
-    records.push_back(record_of(fits[k], setting, names, lines));
+    records.push_back(record_of(fits[k], context, names, lines));
   }
   return records;
 }

@@ -13,7 +13,7 @@
 #include <vector>
 
 namespace tapfit::effects {
-struct Setting;
+struct TestContext;
 }
 
 namespace tapfit::updating {
@@ -31,7 +31,7 @@ struct RecordedStep {
 
 struct UpdateRecord {
   std::string added;  ///< as of the rung
-  Where where;
+  Location where;
   std::string lines;  ///< in words
   bool converged = false;
   std::string message;  ///< why it stopped
@@ -50,14 +50,14 @@ struct UpdateRecord {
 /// @param fit that identified something
 /// @param lines what it was fitted on, in words
 [[nodiscard]] UpdateRecord record_of(const Fit& fit,
-                                     const effects::Setting& setting,
+                                     const effects::TestContext& context,
                                      const std::vector<PropertyName>& names,
                                      const std::string& lines);
 
 /// Of successive fits, but for the first: the base, to which nothing is fitted.
 [[nodiscard]] std::vector<UpdateRecord> records_of(
     const std::vector<Fit>& fits,
-    const effects::Setting& setting,
+    const effects::TestContext& context,
     const std::vector<PropertyName>& names,
     const std::string& lines);
 

@@ -1,6 +1,6 @@
 #include "updating/fit/updater.hpp"
 
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 #include "updating/residual/independent_data.hpp"
 #include "updating/residual/parameter_uncertainty.hpp"
 
@@ -76,9 +76,9 @@ class Updating {
     const auto steps = static_cast<double>(history_.size() - 1);
     (*progress_)("updating", steps / options_.most_steps);
     if (first) return true;
-    const FitWatch* watch = fit_watch(*progress_);
-    if (watch != nullptr && watch->step) {
-      watch->step(
+    const FitObserver* observer = fit_observer(*progress_);
+    if (observer != nullptr && observer->step) {
+      observer->step(
           {history_.back(),
            *model_,
            *target_,

@@ -29,7 +29,7 @@ int point_of(const structure::Deck& deck, const acquisition::Placement& p) {
 }
 
 // Where something was hit or measured that the sheet has elsewhere.
-std::set<int> corrected_points(const effects::Setting& written,
+std::set<int> corrected_points(const effects::TestContext& written,
                                const TestAsDone& done) {
   std::set<int> points;
   if (!done.sheet) return points;
@@ -50,32 +50,32 @@ std::set<int> corrected_points(const effects::Setting& written,
 
 }  // namespace
 
-std::vector<int> acted_points(const effects::Setting& setting,
-                              const std::vector<PlacedEffect>& effects) {
-  const std::set<int> arms = rigidly_joined(*setting.deck);
-  const TestAsDone done = test_as_done(setting, effects);
-  std::set<int> points = corrected_points(setting, done);
+std::vector<int> acted_points(const effects::TestContext& context,
+                              const std::vector<EffectInstance>& effects) {
+  const std::set<int> arms = rigidly_joined(*context.deck);
+  const TestAsDone done = test_as_done(context, effects);
+  std::set<int> points = corrected_points(context, done);
   // They may be tried one by one and disagree about a point.
-  for (const PlacedEffect& e : effects) {
-    points.merge(corrected_points(setting, test_as_done(setting, {e})));
+  for (const EffectInstance& e : effects) {
+    points.merge(corrected_points(context, test_as_done(context, {e})));
   }
   // A test of modes has no runs, but is done with all that acts.
   const std::size_t runs =
-      std::max<std::size_t>(setting.bundle->runs.size(), 1);
-  for (const PlacedEffect& e : effects) {
+      std::max<std::size_t>(context.bundle->runs.size(), 1);
+  for (const EffectInstance& e : effects) {
     for (std::size_t run = 0; run < runs; ++run) {
-      for (const effects::ActedDof& dof :
-           e.effect->acts_on(e.where, done.setting, run)) {
+      for (const effects::InterfaceDof& dof :
+           e.effect->interface_dofs(e.where, done.context, run)) {
         // Residual vectors across the measured direction, or turning about
         // it, would only swell the base: the modes there are stiff and hardly
         // excited.
         const bool across =
             dof.component > 3
-                ? dof.component - 3 == setting.component
-                : dof.component != setting.component && !is_along_axis(e.where);
+                ? dof.component - 3 == context.component
+                : dof.component != context.component && !is_along_axis(e.where);
         if (across && !arms.contains(dof.node)) continue;
         const auto insert = [&](int node) {
-          points.insert(6 * static_cast<int>(setting.deck->grid_index(node)) +
+          points.insert(6 * static_cast<int>(context.deck->grid_index(node)) +
                         dof.component - 1);
         };
         if (dof.between.empty()) insert(dof.node);

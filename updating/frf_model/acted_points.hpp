@@ -15,7 +15,8 @@ namespace tapfit::updating {
 ///   effects act on, and those that were hit or measured where the sheet has
 ///   others, for residual vectors
 [[nodiscard]] std::vector<int> acted_points(
-    const effects::Setting& setting, const std::vector<PlacedEffect>& effects);
+    const effects::TestContext& context,
+    const std::vector<EffectInstance>& effects);
 
 /// Degrees of freedom that are hit or measured, ascending.
 struct MeasuredPoints {

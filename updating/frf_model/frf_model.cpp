@@ -26,7 +26,7 @@ using Eigen::VectorXd;
 using std::complex;
 
 // Whether Woodbury's formula has anything left to add.
-bool acts_beside(const PlacedEffect& placed) {
+bool acts_beside(const EffectInstance& placed) {
   return placed.effect->entry() == effects::Entry::LowRank &&
          std::any_of(placed.p.begin(), placed.p.end(), [](double p) {
            return p != 0.0;
@@ -35,7 +35,7 @@ bool acts_beside(const PlacedEffect& placed) {
 
 }  // namespace
 
-bool is_of(const StiffnessTerm& term, const PlacedEffect& effect) {
+bool is_of(const StiffnessTerm& term, const EffectInstance& effect) {
   return effect.effect->name() == term.of.effect &&
          effect.where == term.of.where;
 }
@@ -44,7 +44,7 @@ namespace {
 
 double value_of(const StiffnessTerm& term, const ModelState& state) {
   double p = term.absent;
-  for (const PlacedEffect& e : state.effects) {
+  for (const EffectInstance& e : state.effects) {
     // What has no size leaves nothing of it.
     if (is_of(term, e)) p = e.p.empty() ? 0.0 : e.p[term.parameter];
   }
@@ -64,14 +64,14 @@ double mass_change_of(const StiffnessTerm& term, const ModelState& state) {
 }  // namespace
 
 FrfModel::FrfModel(ReducedBase base,
-                   const effects::Setting& setting,
+                   const effects::TestContext& context,
                    const signal::FrfSet& measured,
                    std::shared_ptr<const ModalData> modes)
     : base_(std::move(base)),
-      setting_(setting),
+      context_(context),
       modes_(std::move(modes)),
       dashpots_(structure::damping_factor(
-          *setting.deck, base_.size(), [this](int dof) {
+          *context.deck, base_.size(), [this](int dof) {
             return base_.rows.row(dof);
           })) {
   std::set<std::size_t> runs;
@@ -84,9 +84,9 @@ FrfModel::FrfModel(ReducedBase base,
   for (const signal::Frf& frf : measured.frfs) {
     MeasuredPair pair;
     pair.run = frf.run;
-    pair.channel = setting.bundle->channels.at(frf.channel).name;
-    pair.hammer = setting.bundle->channels
-                      .at(setting.bundle->runs.at(frf.run).hammer.channel)
+    pair.channel = context.bundle->channels.at(frf.channel).name;
+    pair.hammer = context.bundle->channels
+                      .at(context.bundle->runs.at(frf.run).hammer.channel)
                       .name;
     pair.written = {frf.response, frf.reference};
     take(frf.response);
@@ -111,12 +111,12 @@ VectorXd FrfModel::point(const Dof& dof) const {
 }
 
 Eigen::RowVectorXd FrfModel::row(int node, int component) const {
-  const auto grid = static_cast<Index>(setting_.deck->grid_index(node));
+  const auto grid = static_cast<Index>(context_.deck->grid_index(node));
   return base_.rows.row(6 * grid + component - 1);
 }
 
-Eigen::RowVectorXd FrfModel::row(const effects::ActedDof& dof) const {
-  return acted_row(dof, *setting_.deck, base_);
+Eigen::RowVectorXd FrfModel::row(const effects::InterfaceDof& dof) const {
+  return acted_row(dof, *context_.deck, base_);
 }
 
 BaseModes FrfModel::base_modes(const ModelState& state) const {
@@ -140,30 +140,30 @@ std::vector<PairEnds> FrfModel::ends(const TestAsDone& done) const {
   std::vector<PairEnds> result;
   for (const MeasuredPair& pair : pairs_) {
     result.push_back(done.sheet
-                         ? ends_as_done(pair, *setting_.bundle, *done.sheet)
+                         ? ends_as_done(pair, *context_.bundle, *done.sheet)
                          : pair.written);
   }
   return result;
 }
 
 std::vector<PairEnds> FrfModel::ends(const ModelState& state) const {
-  return ends(test_as_done(setting_, state.effects));
+  return ends(test_as_done(context_, state.effects));
 }
 
 BaseModes FrfModel::full_modes(const ModelState& state) const {
   const BaseModes base = base_modes(state);
-  const TestAsDone done = test_as_done(setting_, state.effects);
+  const TestAsDone done = test_as_done(context_, state.effects);
   auto [K, M] = with_changes(
-      base, modal_modifications(state, done.setting, runs_, base_), state);
+      base, modal_modifications(state, done.context, runs_, base_), state);
   // Split a real law into stiffness and mass at the middle of the band.
   const double omega =
-      2.0 * M_PI * std::sqrt(setting_.low_hz * setting_.high_hz);
-  for (const PlacedEffect& e :
-       outside_modal_basis(state, done.setting, runs_)) {
+      2.0 * M_PI * std::sqrt(context_.low_hz * context_.high_hz);
+  for (const EffectInstance& e :
+       outside_modal_basis(state, done.context, runs_)) {
     if (!acts_beside(e)) continue;
     for (const std::size_t run : runs_) {
-      for (const effects::ActedDof& dof :
-           e.effect->acts_on(e.where, done.setting, run)) {
+      for (const effects::InterfaceDof& dof :
+           e.effect->interface_dofs(e.where, done.context, run)) {
         const VectorXd b = base.phi.transpose() * row(dof).transpose();
         const double share = dof.weight / static_cast<double>(runs_.size());
         const double z =
@@ -221,7 +221,7 @@ std::vector<int> FrfModel::damping_owners(const ModelState& state,
 void FrfModel::set_damping(ModalState& shared) const {
   const ModelState& state = *shared.state;
   const VectorXd& w = shared.modes.omega;
-  const PlacedEffect* law = state.damping_law();
+  const EffectInstance* law = state.damping_law();
   DampingOfModes& damping = shared.damping;
   damping.d = damping.slope = VectorXd::Zero(w.size());
   for (Index m = 0; m < w.size(); ++m) {
@@ -242,12 +242,12 @@ ModalState FrfModel::modal_state(const ModelState& state,
                                  BaseModes bare) const {
   ModalState shared;
   shared.state = &state;
-  shared.done = test_as_done(setting_, state.effects);
-  const effects::Setting& setting = shared.done.setting;
+  shared.done = test_as_done(context_, state.effects);
+  const effects::TestContext& context = shared.done.context;
   shared.modes = std::move(bare);
   shared.owner = damping_owners(state, shared.modes);
-  shared.changes = modal_modifications(state, setting, runs_, base_);
-  shared.beside = outside_modal_basis(state, setting, runs_);
+  shared.changes = modal_modifications(state, context, runs_, base_);
+  shared.beside = outside_modal_basis(state, context, runs_);
   if (!shared.changes.empty()) {
     BaseModes loaded = modes_with(shared.modes, shared.changes, state);
     shared.owner = by_order(shared.owner, shared.modes.omega, loaded.omega);
@@ -257,7 +257,7 @@ ModalState FrfModel::modal_state(const ModelState& state,
   shared.first_zeta = state.factor.size();
   std::size_t column =
       shared.first_zeta + static_cast<std::size_t>(state.zeta.size());
-  for (const PlacedEffect& e : state.effects) {
+  for (const EffectInstance& e : state.effects) {
     shared.first.push_back(column);
     column += e.p.size();
   }
@@ -293,7 +293,7 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
     shared.turning.push_back({turn(dK, dM), j, state.factor[j]});
   }
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
-    const PlacedEffect& placed = state.effects[e];
+    const EffectInstance& placed = state.effects[e];
     for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed) || placed.p.empty()) continue;
       const double p = placed.p[term.parameter];
@@ -322,10 +322,10 @@ RunResponse FrfModel::run_lines(const ModalState& shared,
     rows.emplace_back(phi.transpose() * dashpots_.col(k));
   }
   for (std::size_t e = 0; e < shared.beside.size(); ++e) {
-    const PlacedEffect& placed = shared.beside[e];
+    const EffectInstance& placed = shared.beside[e];
     if (!acts_beside(placed)) continue;
-    for (const effects::ActedDof& dof :
-         placed.effect->acts_on(placed.where, shared.done.setting, run)) {
+    for (const effects::InterfaceDof& dof : placed.effect->interface_dofs(
+             placed.where, shared.done.context, run)) {
       const VectorXd b = phi.transpose() * row(dof).transpose();
       if (b.squaredNorm() < 1e-18) continue;  // held, or out of the base
       lines.actors.push_back({e, dof.group, dof.weight});

@@ -37,7 +37,8 @@
 namespace tapfit::updating {
 
 /// Whether the base holds this effect as a change of its stiffness.
-[[nodiscard]] bool is_of(const StiffnessTerm& term, const PlacedEffect& effect);
+[[nodiscard]] bool is_of(const StiffnessTerm& term,
+                         const EffectInstance& effect);
 
 struct ModalState;
 struct RunResponse;
@@ -51,7 +52,7 @@ class FrfModel {
   /// @param modes measured in place of the pairs; else null
   /// @throws InputError for a measured grid that the deck does not have
   FrfModel(ReducedBase base,
-           const effects::Setting& setting,
+           const effects::TestContext& context,
            const signal::FrfSet& measured,
            std::shared_ptr<const ModalData> modes = nullptr);
 
@@ -124,10 +125,10 @@ class FrfModel {
   [[nodiscard]] std::vector<PairEnds> ends(const ModelState& state) const;
 
   [[nodiscard]] const ReducedBase& base() const { return base_; }
-  [[nodiscard]] const effects::Setting& setting() const { return setting_; }
+  [[nodiscard]] const effects::TestContext& context() const { return context_; }
   /// Row of V for a degree of freedom of the deck.
   [[nodiscard]] Eigen::RowVectorXd row(int node, int component) const;
-  [[nodiscard]] Eigen::RowVectorXd row(const effects::ActedDof& dof) const;
+  [[nodiscard]] Eigen::RowVectorXd row(const effects::InterfaceDof& dof) const;
 
   /// The same model on the deck's own mesh, where this one's is split; else
   /// null.
@@ -177,7 +178,7 @@ class FrfModel {
   void set_damping(ModalState& shared) const;
 
   ReducedBase base_;
-  effects::Setting setting_;
+  effects::TestContext context_;
   std::shared_ptr<const ModalData> modes_;
   std::vector<MeasuredPair> pairs_;
   Eigen::MatrixXd points_;  // r x points: signed rows of V, each once

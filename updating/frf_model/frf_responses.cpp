@@ -71,7 +71,7 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
                                   // responses of still higher ones
   const ModalState shared = modal_state(state, base_modes(state));
   const VectorXd& w = shared.modes.omega;
-  const double top = 2.0 * M_PI * setting_.high_hz;
+  const double top = 2.0 * M_PI * context_.high_hz;
   const Index modes = (w.array() < beyond * top).count();
   const auto n = static_cast<Index>(pairs_.size());
   const std::vector<FormEntry> entries =
@@ -166,7 +166,7 @@ std::vector<MatrixXcd> FrfModel::recorded_at_sizes(
   ModelState without = state;
   without.effects.pop_back();
   const MatrixXcd H = respond(without, s, false).H;
-  PlacedEffect last = state.effects.back();
+  EffectInstance last = state.effects.back();
   std::vector<MatrixXcd> result;
   for (const std::vector<double>& size : sizes) {
     last.p = size;
@@ -181,8 +181,8 @@ std::vector<MatrixXcd> FrfModel::respond_at_sizes(
     const ModelState& state,
     const std::vector<std::vector<double>>& sizes,
     const VectorXcd& s) const {
-  const PlacedEffect& last = state.effects.back();
-  if (is_passed_on(setting_, state.effects)) {
+  const EffectInstance& last = state.effects.back();
+  if (is_passed_on(context_, state.effects)) {
     return recorded_at_sizes(state, sizes, s);
   }
   const bool changes_base = last.effect->changes_stiffness().has_value();

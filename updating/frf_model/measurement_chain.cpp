@@ -10,7 +10,7 @@ using Eigen::Index;
 using Eigen::MatrixXcd;
 using std::complex;
 
-bool is_fault(const PlacedEffect& placed) {
+bool is_fault(const EffectInstance& placed) {
   return placed.effect->entry() == effects::Entry::Measurement;
 }
 
@@ -27,7 +27,7 @@ bool same_points(const acquisition::Run& a, const acquisition::Run& b) {
 //
 // @param first column of the effect's parameters in dH
 // @param group of the effect's law, see Effect::passed_as()
-void pass(const PlacedEffect& placed,
+void pass(const EffectInstance& placed,
           std::size_t first,
           std::size_t group,
           Index frf,
@@ -48,18 +48,18 @@ void pass(const PlacedEffect& placed,
 
 }  // namespace
 
-bool is_passed_on(const effects::Setting& setting,
-                  const std::vector<PlacedEffect>& effects) {
+bool is_passed_on(const effects::TestContext& context,
+                  const std::vector<EffectInstance>& effects) {
   if (!is_fault(effects.back())) return false;
-  const TestAsDone with = test_as_done(setting, effects);
+  const TestAsDone with = test_as_done(context, effects);
   const TestAsDone without =
-      test_as_done(setting, {effects.begin(), effects.end() - 1});
+      test_as_done(context, {effects.begin(), effects.end() - 1});
   return std::ranges::equal(
-      with.setting.bundle->runs, without.setting.bundle->runs, same_points);
+      with.context.bundle->runs, without.context.bundle->runs, same_points);
 }
 
 void apply_channel_effect(const std::vector<MeasuredPair>& pairs,
-                          const PlacedEffect& placed,
+                          const EffectInstance& placed,
                           std::size_t first,
                           const Eigen::VectorXcd& s,
                           ModelResponse& out) {
@@ -88,7 +88,7 @@ void apply_chain(const std::vector<MeasuredPair>& pairs,
                  ModelResponse& out) {
   const ModelState& state = *shared.state;
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
-    const PlacedEffect& placed = state.effects[e];
+    const EffectInstance& placed = state.effects[e];
     if (!is_fault(placed)) continue;
     apply_channel_effect(pairs, placed, shared.first[e], s, out);
   }

@@ -12,14 +12,14 @@ namespace tapfit::updating {
 
 /// Whether the last effect acts in channels alone: it leaves the points of the
 /// sheet where the others have them.
-[[nodiscard]] bool is_passed_on(const effects::Setting& setting,
-                                const std::vector<PlacedEffect>& effects);
+[[nodiscard]] bool is_passed_on(const effects::TestContext& context,
+                                const std::vector<EffectInstance>& effects);
 
 /// Multiplies the FRFs of an effect's channels in its runs, and their
 /// derivatives.
 /// @param first column of the effect's parameters in dH
 void apply_channel_effect(const std::vector<MeasuredPair>& pairs,
-                          const PlacedEffect& placed,
+                          const EffectInstance& placed,
                           std::size_t first,
                           const Eigen::VectorXcd& s,
                           ModelResponse& out);

@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 constexpr double reach = 2.5;
 
 MeshModes seen_by_grids(const FrfModel& model, const BaseModes& modes) {
-  const double top = two_pi * reach * model.setting().high_hz;
+  const double top = two_pi * reach * model.context().high_hz;
   const Index count = (modes.omega.array() < top).count();
   return {model.base().rows * modes.phi.leftCols(count),
           modes.omega.head(count) / two_pi};

@@ -8,7 +8,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Eigen::RowVectorXd acted_row(const effects::ActedDof& dof,
+Eigen::RowVectorXd acted_row(const effects::InterfaceDof& dof,
                              const structure::Deck& deck,
                              const ReducedBase& base) {
   const auto of = [&](int node, int component) {
@@ -26,14 +26,14 @@ Eigen::RowVectorXd acted_row(const effects::ActedDof& dof,
 namespace {
 
 // What a unit of the change's parameter adds: law = sum of p (k + s^2 m).
-void add_unit(const PlacedEffect& placed,
-              const effects::Setting& setting,
+void add_unit(const EffectInstance& placed,
+              const effects::TestContext& context,
               std::size_t run,
               const ReducedBase& base,
               ModalModification& change) {
-  for (const effects::ActedDof& dof :
-       placed.effect->acts_on(placed.where, setting, run)) {
-    const VectorXd b = acted_row(dof, *setting.deck, base).transpose();
+  for (const effects::InterfaceDof& dof :
+       placed.effect->interface_dofs(placed.where, context, run)) {
+    const VectorXd b = acted_row(dof, *context.deck, base).transpose();
     const auto law_of_unit = [&](double s) {
       return dof.weight *
              placed.effect
@@ -52,26 +52,26 @@ void add_unit(const PlacedEffect& placed,
 }
 
 // Whether an effect on few degrees of freedom is alike in these runs.
-bool stays(const PlacedEffect& placed,
-           const effects::Setting& setting,
+bool stays(const EffectInstance& placed,
+           const effects::TestContext& context,
            const std::vector<std::size_t>& runs) {
   const effects::Effect& effect = *placed.effect;
   if (runs.empty() || effect.entry() != effects::Entry::LowRank) return false;
-  const auto acts = effect.acts_on(placed.where, setting, runs.front());
+  const auto acts = effect.interface_dofs(placed.where, context, runs.front());
   return std::all_of(runs.begin() + 1, runs.end(), [&](std::size_t run) {
-    return effect.acts_on(placed.where, setting, run) == acts;
+    return effect.interface_dofs(placed.where, context, run) == acts;
   });
 }
 
 }  // namespace
 
-std::vector<PlacedEffect> outside_modal_basis(
+std::vector<EffectInstance> outside_modal_basis(
     const ModelState& state,
-    const effects::Setting& setting,
+    const effects::TestContext& context,
     const std::vector<std::size_t>& runs) {
-  std::vector<PlacedEffect> rest = state.effects;
-  for (PlacedEffect& placed : rest) {
-    if (!stays(placed, setting, runs)) continue;
+  std::vector<EffectInstance> rest = state.effects;
+  for (EffectInstance& placed : rest) {
+    if (!stays(placed, context, runs)) continue;
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       if (placed.effect->is_lossless(p)) placed.p[p] = 0.0;
     }
@@ -81,17 +81,17 @@ std::vector<PlacedEffect> outside_modal_basis(
 
 std::vector<ModalModification> modal_modifications(
     const ModelState& state,
-    const effects::Setting& setting,
+    const effects::TestContext& context,
     const std::vector<std::size_t>& runs,
     const ReducedBase& base) {
   std::vector<ModalModification> changes;
   for (std::size_t e = 0; e < state.effects.size(); ++e) {
-    const PlacedEffect& placed = state.effects[e];
-    if (!stays(placed, setting, runs)) continue;
+    const EffectInstance& placed = state.effects[e];
+    if (!stays(placed, context, runs)) continue;
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       if (!placed.effect->is_lossless(p)) continue;
       changes.push_back({e, p, {}, {}});
-      add_unit(placed, setting, runs.front(), base, changes.back());
+      add_unit(placed, context, runs.front(), base, changes.back());
     }
   }
   return changes;

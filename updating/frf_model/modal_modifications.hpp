@@ -15,7 +15,7 @@
 namespace tapfit::updating {
 
 /// A row of the base: what it moves of a degree of freedom that is acted on.
-[[nodiscard]] Eigen::RowVectorXd acted_row(const effects::ActedDof& dof,
+[[nodiscard]] Eigen::RowVectorXd acted_row(const effects::InterfaceDof& dof,
                                            const structure::Deck& deck,
                                            const ReducedBase& base);
 
@@ -29,16 +29,16 @@ struct ModalModification {
 
 /// The state's effects without the springs and masses that go into the modes:
 /// their parameters are zero.
-[[nodiscard]] std::vector<PlacedEffect> outside_modal_basis(
+[[nodiscard]] std::vector<EffectInstance> outside_modal_basis(
     const ModelState& state,
-    const effects::Setting& setting,
+    const effects::TestContext& context,
     const std::vector<std::size_t>& runs);
 
 /// Of every parameter of the state that goes into the modes.
 /// @param runs the measured ones
 [[nodiscard]] std::vector<ModalModification> modal_modifications(
     const ModelState& state,
-    const effects::Setting& setting,
+    const effects::TestContext& context,
     const std::vector<std::size_t>& runs,
     const ReducedBase& base);
 

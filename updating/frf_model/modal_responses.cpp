@@ -143,7 +143,7 @@ std::vector<MatrixXcd> FrfModel::form_patterns_of_modes(
   const ModalState shared = modal_state(state, base_modes(state));
   const auto& [omega, phi] = shared.modes;
   const MatrixXd at = points_.transpose() * phi;
-  const double top = two_pi * setting_.high_hz;
+  const double top = two_pi * context_.high_hz;
   const MatrixXcd none = MatrixXcd::Zero(data.modes(), 1 + data.points());
   const std::vector<PairedMode> pairs = paired(shared.modes, at);
   MatrixXcd even = none;

@@ -221,7 +221,7 @@ void Sums::derive_law(ModelResponse& out) const {
   const VectorXd& w = shared.modes.omega;
   const VectorXcd cube = s_.array().cube();
   for (std::size_t e = 0; e < shared.state->effects.size(); ++e) {
-    const PlacedEffect& placed = shared.state->effects[e];
+    const EffectInstance& placed = shared.state->effects[e];
     if (placed.effect->entry() != effects::Entry::Damping) continue;
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       VectorXd share(w.size());
@@ -245,7 +245,7 @@ void Sums::derive_effects(ModelResponse& out) const {
     const CoupledDof& actor = lines_.actors[a];
     if (!actor.effect) continue;
     // What is in the modes is zero here, and so is its slope.
-    const PlacedEffect& placed = shared.beside[*actor.effect];
+    const EffectInstance& placed = shared.beside[*actor.effect];
     const auto r = static_cast<Index>(a);
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       MatrixXcd& d = out.dH[shared.first[*actor.effect] + p];

@@ -1,7 +1,7 @@
 // Everything of a model that can be fitted.
 #pragma once
 
-#include "updating/effects/placed_effect.hpp"
+#include "updating/effects/effect_instance.hpp"
 
 #include <Eigen/Core>
 
@@ -14,11 +14,11 @@ struct ModelState {
   std::vector<double> factor;  ///< uncertain property over nominal
   Eigen::VectorXd zeta;        ///< damping ratio of the first modes
   double zeta_other = 0.01;    ///< of all higher modes
-  std::vector<PlacedEffect> effects;
+  std::vector<EffectInstance> effects;
 
   [[nodiscard]] Eigen::Index parameters() const;
   /// The effect that gives all modes their damping, if any; zeta is empty then.
-  [[nodiscard]] const PlacedEffect* damping_law() const;
+  [[nodiscard]] const EffectInstance* damping_law() const;
   /// Damping ratio of a mode that the law gives, or zeta_other.
   [[nodiscard]] double zeta_at(double omega) const;
 };

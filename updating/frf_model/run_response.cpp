@@ -35,7 +35,7 @@ MatrixXcd RunResponse::coupling(complex<double> s,
       D(a) = s;
       continue;
     }
-    const PlacedEffect& placed = shared->beside[*actor.effect];
+    const EffectInstance& placed = shared->beside[*actor.effect];
     D(a) = actor.weight * placed.effect->law(s, placed.p, actor.group);
   }
   MatrixXcd core = receptance * D.asDiagonal();

@@ -39,7 +39,7 @@ struct ModalState {
   DampingOfModes damping;
   std::vector<int> owner;  ///< of state->zeta, of each mode; or -1
   std::vector<ModalModification> changes;  ///< what is in the modes
-  std::vector<PlacedEffect> beside;        ///< the effects without that
+  std::vector<EffectInstance> beside;      ///< the effects without that
   std::vector<TurningParameter> turning;
   std::vector<std::size_t> first;  ///< column of each effect's parameters
   std::size_t first_zeta = 0;

@@ -4,20 +4,20 @@
 
 namespace tapfit::updating {
 
-TestAsDone test_as_done(const effects::Setting& setting,
-                        const std::vector<PlacedEffect>& effects) {
+TestAsDone test_as_done(const effects::TestContext& context,
+                        const std::vector<EffectInstance>& effects) {
   const bool right = std::ranges::none_of(effects, [](const auto& placed) {
     return placed.effect->entry() == effects::Entry::Measurement;
   });
-  TestAsDone done{setting};
+  TestAsDone done{context};
   if (right) return done;
-  auto sheet = std::make_unique<acquisition::TestBundle>(*setting.bundle);
-  for (const PlacedEffect& placed : effects) {
+  auto sheet = std::make_unique<acquisition::TestBundle>(*context.bundle);
+  for (const EffectInstance& placed : effects) {
     if (placed.effect->entry() != effects::Entry::Measurement) continue;
-    placed.effect->correct(placed.where, *setting.bundle, *sheet);
+    placed.effect->correct(placed.where, *context.bundle, *sheet);
   }
   done.sheet = std::move(sheet);
-  done.setting.bundle = done.sheet.get();
+  done.context.bundle = done.sheet.get();
   return done;
 }
 

@@ -6,7 +6,7 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "updating/effects/effect.hpp"
-#include "updating/effects/placed_effect.hpp"
+#include "updating/effects/effect_instance.hpp"
 #include "updating/frf_model/model_response.hpp"
 
 #include <memory>
@@ -15,14 +15,16 @@
 namespace tapfit::updating {
 
 struct TestAsDone {
-  effects::Setting setting;  ///< with the corrected sheet, where there is one
+  effects::TestContext
+      context;  ///< with the corrected sheet, where there is one
   /// What `setting` then points to; empty: the sheet is right.
   std::unique_ptr<const acquisition::TestBundle> sheet = {};
 };
 
-/// @param setting of the sheet as it was written
-[[nodiscard]] TestAsDone test_as_done(const effects::Setting& setting,
-                                      const std::vector<PlacedEffect>& effects);
+/// @param context of the sheet as it was written
+[[nodiscard]] TestAsDone test_as_done(
+    const effects::TestContext& context,
+    const std::vector<EffectInstance>& effects);
 
 /// What a pair was measured between; as written where the sheet does not hold
 /// it.

@@ -2,7 +2,7 @@
 
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/absorber_law.hpp"
-#include "updating/localisation/place_patterns.hpp"
+#include "updating/localisation/first_order_sensitivity.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,15 @@ Signature signature_at(Fit current,
                        const Progress& progress) {
   // The base gains the static response at the grid looked at: without it the
   // grid's own flexibility would be taken for something missing.
-  std::vector<PlacedEffect> with_node = current.effects;
+  std::vector<EffectInstance> with_node = current.effects;
   with_node.push_back({&effects::find("added-mass"), {}, {1.0}});
   with_node.back().where.node = node;
   current.model = fitter.model_for(with_node);
   const Target& target = fitter.target();
-  const PlacePatterns patterns = place_patterns(
+  const FirstOrderSensitivity patterns = first_order_sensitivity(
       current,
       target,
-      {current.model->row(node, current.model->setting().component)},
+      {current.model->row(node, current.model->context().component)},
       progress);
   const Eigen::MatrixXcd model =
       current.model->respond(current.result.state, target.s, false).H;

@@ -20,13 +20,13 @@ using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using std::complex;
 
-bool in_runs(const Where& where, std::size_t run) {
+bool in_runs(const Location& where, std::size_t run) {
   return where.runs.empty() ||
          std::ranges::find(where.runs, static_cast<int>(run) + 1) !=
              where.runs.end();
 }
 
-bool on_channel(const Where& where,
+bool on_channel(const Location& where,
                 std::size_t channel,
                 const acquisition::TestBundle& sheet) {
   return std::ranges::find(where.channels, sheet.channels.at(channel).name) !=
@@ -34,7 +34,7 @@ bool on_channel(const Where& where,
 }
 
 // Of one point, the best first.
-std::vector<PointElsewhere> best_grids(const Where& point,
+std::vector<PointElsewhere> best_grids(const Location& point,
                                        const VectorXd& errors,
                                        const structure::Deck& deck,
                                        std::size_t count) {
@@ -68,7 +68,7 @@ std::array<MatrixXd, 6> by_component(const MatrixXd& all) {
 
 PointScan::PointScan(const Fit& current,
                      const Target& target,
-                     const MisfitScan& misfit,
+                     const ProjectedMisfit& misfit,
                      const signal::FrfSet& measured)
     : model_(current.model.get()),
       state_(&current.result.state),
@@ -83,15 +83,16 @@ PointScan::PointScan(const Fit& current,
       share_(VectorXd::Zero(target.H.cols())) {
   for (Index f = 0; f < share_.size(); ++f) {
     share_(f) = directions(static_cast<std::size_t>(f))
-                    .col(MisfitScan::misfit)
+                    .col(ProjectedMisfit::misfit)
                     .squaredNorm();
   }
   share_ /= std::max(share_.sum(), 1e-300);
 }
 
 // The FRFs that a point has part in, by the end that it is.
-std::vector<PointScan::MovedEnd> PointScan::ends_of(const Where& point) const {
-  const acquisition::TestBundle& sheet = *model_->setting().bundle;
+std::vector<PointScan::MovedEnd> PointScan::ends_of(
+    const Location& point) const {
+  const acquisition::TestBundle& sheet = *model_->context().bundle;
   std::vector<MovedEnd> result;
   for (std::size_t f = 0; f < measured_->frfs.size(); ++f) {
     const signal::Frf& frf = measured_->frfs[f];
@@ -113,7 +114,7 @@ double PointScan::share(const std::vector<MovedEnd>& ends) const {
   return sum;
 }
 
-double PointScan::share(const Where& where) const {
+double PointScan::share(const Location& where) const {
   double sum = 0.0;
   for (std::size_t f = 0; f < measured_->frfs.size(); ++f) {
     if (passes(where, f)) sum += share_(static_cast<Index>(f));
@@ -122,8 +123,8 @@ double PointScan::share(const Where& where) const {
 }
 
 // Whether one of the place's channels has part in an FRF.
-bool PointScan::passes(const Where& where, std::size_t frf) const {
-  const acquisition::TestBundle& sheet = *model_->setting().bundle;
+bool PointScan::passes(const Location& where, std::size_t frf) const {
+  const acquisition::TestBundle& sheet = *model_->context().bundle;
   const signal::Frf& own = measured_->frfs[frf];
   const std::size_t hammer = sheet.runs.at(own.run).hammer.channel;
   return in_runs(where, own.run) && (on_channel(where, own.channel, sheet) ||
@@ -241,14 +242,14 @@ PointScan::ChangeAtGrids PointScan::seen(std::size_t frf,
 }
 
 std::vector<PointElsewhere> PointScan::elsewhere(
-    const std::vector<Where>& points, const PointScanOptions& options) {
+    const std::vector<Location>& points, const PointScanOptions& options) {
   std::vector<PointElsewhere> result;
-  for (const Where& point : points) {
+  for (const Location& point : points) {
     const std::vector<MovedEnd> ends = ends_of(point);
     if (ends.empty() || share(ends) < options.least_share) continue;
     prepare(ends);
     for (PointElsewhere& there : best_grids(
-             point, errors(ends), *model_->setting().deck, options.grids)) {
+             point, errors(ends), *model_->context().deck, options.grids)) {
       result.push_back(std::move(there));
     }
   }
@@ -258,7 +259,7 @@ std::vector<PointElsewhere> PointScan::elsewhere(
 // An FRF without the mistake, line by line; empty where it is none of its own.
 VectorXcd PointScan::put_right(std::size_t frf,
                                const PairEnds& real,
-                               const PlacedEffect& mistake) const {
+                               const EffectInstance& mistake) const {
   const PairEnds& now = ends_[frf];
   const bool recorded = passes(mistake.where, frf);
   if (!recorded && real == now) return {};
@@ -272,7 +273,7 @@ VectorXcd PointScan::put_right(std::size_t frf,
   }
   if (!recorded) return H;
   const bool response = on_channel(
-      mistake.where, measured_->frfs[frf].channel, *model_->setting().bundle);
+      mistake.where, measured_->frfs[frf].channel, *model_->context().bundle);
   const std::size_t group = mistake.effect->passed_as(mistake.where, !response);
   for (Index l = 0; l < H.size(); ++l) {
     H(l) *= mistake.effect->law(target_->s(l), mistake.p, group);
@@ -280,7 +281,7 @@ VectorXcd PointScan::put_right(std::size_t frf,
   return H;
 }
 
-double PointScan::error_without(const PlacedEffect& mistake) const {
+double PointScan::error_without(const EffectInstance& mistake) const {
   ModelState state;
   state.effects = state_->effects;
   state.effects.push_back(mistake);

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "updating/fit/fitter.hpp"
-#include "updating/localisation/misfit_scan.hpp"
+#include "updating/localisation/projected_misfit.hpp"
 #include "updating/places/location.hpp"
 
 #include <Eigen/Core>
@@ -23,7 +23,7 @@ namespace tapfit::updating {
 
 /// A grid at which a point of the sheet may have been.
 struct PointElsewhere {
-  Where where;         ///< the point, with its node
+  Location where;      ///< the point, with its node
   double error = 0.0;  ///< relative FRF error it would leave
 };
 
@@ -41,22 +41,23 @@ class PointScan {
   /// @param measured the target's FRFs
   PointScan(const Fit& current,
             const Target& target,
-            const MisfitScan& misfit,
+            const ProjectedMisfit& misfit,
             const signal::FrfSet& measured);
 
   /// @param points channels at a grid of the sheet, and runs
   /// @return the best grids of the points that were looked at
   [[nodiscard]] std::vector<PointElsewhere> elsewhere(
-      const std::vector<Where>& points, const PointScanOptions& options = {});
+      const std::vector<Location>& points,
+      const PointScanOptions& options = {});
 
   /// Relative FRF error that a mistake without parameters would leave, put
   /// right as it is: FRFs of other ends, or times what its channel makes of
   /// them. Only one end of an FRF may be another.
-  [[nodiscard]] double error_without(const PlacedEffect& mistake) const;
+  [[nodiscard]] double error_without(const EffectInstance& mistake) const;
 
   /// What the FRFs of the place's channels in its runs have in the square of
   /// the misfit.
-  [[nodiscard]] double share(const Where& where) const;
+  [[nodiscard]] double share(const Location& where) const;
 
  private:
   // An FRF of which one end is elsewhere.
@@ -72,9 +73,9 @@ class PointScan {
     Eigen::MatrixXd shared;  // directions x grids
   };
 
-  [[nodiscard]] std::vector<MovedEnd> ends_of(const Where& point) const;
+  [[nodiscard]] std::vector<MovedEnd> ends_of(const Location& point) const;
   [[nodiscard]] double share(const std::vector<MovedEnd>& ends) const;
-  [[nodiscard]] bool passes(const Where& where, std::size_t frf) const;
+  [[nodiscard]] bool passes(const Location& where, std::size_t frf) const;
   void prepare(const std::vector<MovedEnd>& ends);
   [[nodiscard]] Eigen::VectorXd errors(const std::vector<MovedEnd>& ends) const;
   [[nodiscard]] Eigen::MatrixXd directions(std::size_t frf) const;
@@ -88,12 +89,12 @@ class PointScan {
                                    const Eigen::VectorXcd& there) const;
   [[nodiscard]] Eigen::VectorXcd put_right(std::size_t frf,
                                            const PairEnds& real,
-                                           const PlacedEffect& mistake) const;
+                                           const EffectInstance& mistake) const;
 
   const FrfModel* model_;
   const ModelState* state_;
   const Target* target_;
-  const MisfitScan* misfit_;
+  const ProjectedMisfit* misfit_;
   const signal::FrfSet* measured_;
   std::array<Eigen::MatrixXd, 6> rows_;  // of the base, each n_grids x r
   std::vector<PairEnds> ends_;

@@ -31,7 +31,7 @@ bool sensors_stay(const acquisition::TestBundle& bundle) {
 
 /// d residual / d ln of all moduli together; empty where none is fitted.
 VectorXd slope_by_moduli(const Fit& fit, const Target& target) {
-  const auto& uncertain = fit.model->setting().bundle->uncertain;
+  const auto& uncertain = fit.model->context().bundle->uncertain;
   const ModelResponse response =
       fit.model->respond(fit.result.state, target.s, true);
   VectorXd slope;
@@ -66,7 +66,7 @@ std::vector<double> times(const std::vector<std::size_t>& run,
 }  // namespace
 
 std::optional<RunDrift> run_drift(const Fit& fit, const Target& target) {
-  const acquisition::TestBundle& bundle = *fit.model->setting().bundle;
+  const acquisition::TestBundle& bundle = *fit.model->context().bundle;
   if (bundle.runs.size() < fewest_runs || !sensors_stay(bundle)) return {};
   const VectorXd slope = slope_by_moduli(fit, target);
   const VectorXd& r = fit.result.residual;
@@ -93,7 +93,7 @@ std::optional<RunDrift> run_drift(const Fit& fit, const Target& target) {
   return drift;
 }
 
-bool is_telling(const RunDrift& drift) {
+bool is_significant(const RunDrift& drift) {
   return drift.explained >= 0.5 && std::abs(drift.change) > 5.0 * drift.sd;
 }
 

@@ -31,7 +31,7 @@ struct RunDrift {
 
 /// Half of what is left or more, five standard deviations from nothing: then
 /// something surely changed.
-[[nodiscard]] bool is_telling(const RunDrift& drift);
+[[nodiscard]] bool is_significant(const RunDrift& drift);
 
 [[nodiscard]] std::string statement(const RunDrift& drift);
 

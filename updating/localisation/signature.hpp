@@ -24,7 +24,7 @@ struct Signature {
 
 /// Whether one place explains most of what is missing, so that its missing
 /// stiffness means something.
-[[nodiscard]] inline bool is_telling(const Signature& signature) {
+[[nodiscard]] inline bool is_significant(const Signature& signature) {
   constexpr double most = 0.5;
   return signature.explained >= most;
 }

@@ -22,8 +22,8 @@ namespace tapfit::updating {
 namespace {
 
 // Of FRFs from recordings there are no lines outside the test's band.
-modal::IdentifyOptions as_chosen(const ModeChoices& choices,
-                                 const acquisition::TestBundle& bundle) {
+modal::IdentifyOptions as_selected(const ModeChoices& choices,
+                                   const acquisition::TestBundle& bundle) {
   modal::IdentifyOptions options;
   options.band_hz = choices.band_hz ? choices.band_hz : bundle.band_hz;
   options.edits = choices.edits;
@@ -143,7 +143,8 @@ const modal::ModeSet& Measurement::modes(const Progress& progress) {
   // Taking off the ringing may have found them.
   const signal::FrfSet& set = frfs(progress);
   if (!modes_) {
-    modes_ = modal::identify_modes(set, as_chosen(choices_, bundle_), progress);
+    modes_ =
+        modal::identify_modes(set, as_selected(choices_, bundle_), progress);
   }
   return *modes_;
 }
@@ -157,7 +158,8 @@ bool Measurement::choose(const ModeChoices& choices, const Progress& progress) {
   const signal::FrfSet& set = frfs(progress);
   const bool known = modes_ && same_modes(choices, choices_);
   if (!known && !bundle_.modes) {
-    modes_ = modal::identify_modes(set, as_chosen(choices, bundle_), progress);
+    modes_ =
+        modal::identify_modes(set, as_selected(choices, bundle_), progress);
   }
   choices_ = choices;
   return !known;

@@ -69,7 +69,7 @@ std::set<int> joined_to(const Deck& deck, int node) {
 
 }  // namespace
 
-Vector3d position_of(const Where& where, const Deck& deck) {
+Vector3d position_of(const Location& where, const Deck& deck) {
   if (where.at.size() != 3) return deck.grid(where.node).position;
   return {where.at[0], where.at[1], where.at[2]};
 }
@@ -87,7 +87,7 @@ void add_shares(int grid,
 }
 
 std::vector<MotionShare> motion_between(const Deck& deck,
-                                        const Where& where,
+                                        const Location& where,
                                         int component) {
   const Vector3d at = position_of(where, deck);
   const Vector3d axis = Vector3d::Unit(component - 1);
@@ -105,18 +105,18 @@ std::vector<MotionShare> motion_between(const Deck& deck,
   return shares;
 }
 
-std::vector<Where> moved_to(const Where& where,
-                            const Vector3d& at,
-                            const Deck& deck) {
+std::vector<Location> moved_to(const Location& where,
+                               const Vector3d& at,
+                               const Deck& deck) {
   const int near = nearest_grid(deck, at);
   std::set<int> nodes = joined_to(deck, near);
   nodes.merge(joined_to(deck, where.node));
   nodes.insert({near, where.node});
-  Where moved = where;
+  Location moved = where;
   moved.at = {at.x(), at.y(), at.z()};
   double least = 1e300;
   for (const int node : nodes) {
-    Where tried = moved;
+    Location tried = moved;
     tried.node = node;
     const double far = (deck.grid(node).position - at).norm();
     if (far >= least || motion_between(deck, tried, 1).empty()) continue;
@@ -127,7 +127,7 @@ std::vector<Where> moved_to(const Where& where,
   return {moved};
 }
 
-double sides_apart(const Where& where, int grid, const Deck& deck) {
+double sides_apart(const Location& where, int grid, const Deck& deck) {
   const Vector3d from = deck.grid(where.node).position;
   double side = 0.0;
   for (const int other : joined_to(deck, where.node)) {
@@ -139,12 +139,12 @@ double sides_apart(const Where& where, int grid, const Deck& deck) {
   return std::max(1.0, (deck.grid(grid).position - from).norm() / side);
 }
 
-std::vector<Where> places_around(const Where& where,
-                                 double step,
-                                 const Deck& deck) {
+std::vector<Location> places_around(const Location& where,
+                                    double step,
+                                    const Deck& deck) {
   const Vector3d from = position_of(where, deck);
   const Vector3d node = deck.grid(where.node).position;
-  std::vector<Where> places;
+  std::vector<Location> places;
   for (const int other : joined_to(deck, where.node)) {
     const Vector3d at = from + step * (deck.grid(other).position - node);
     if (step >= 1.0) {
@@ -154,7 +154,7 @@ std::vector<Where> places_around(const Where& where,
       places.back().at.clear();
       continue;
     }
-    const std::vector<Where> found = moved_to(where, at, deck);
+    const std::vector<Location> found = moved_to(where, at, deck);
     places.insert(places.end(), found.begin(), found.end());
   }
   return places;

@@ -32,11 +32,11 @@ void add_shares(int grid,
 /// @param component 1..3
 /// @return empty where no element at the node holds the place
 [[nodiscard]] std::vector<MotionShare> motion_between(
-    const structure::Deck& deck, const Where& where, int component);
+    const structure::Deck& deck, const Location& where, int component);
 
 /// How far a grid is from the place's node, in sides of an element there: 1 or
 /// more, 1 of those that an element joins.
-[[nodiscard]] double sides_apart(const Where& where,
+[[nodiscard]] double sides_apart(const Location& where,
                                  int grid,
                                  const structure::Deck& deck);
 
@@ -45,20 +45,20 @@ void add_shares(int grid,
 ///
 /// @param step of the way; beyond the element, 1 or more, to the grid next to
 ///   there
-[[nodiscard]] std::vector<Where> places_around(const Where& where,
-                                               double step,
-                                               const structure::Deck& deck);
+[[nodiscard]] std::vector<Location> places_around(const Location& where,
+                                                  double step,
+                                                  const structure::Deck& deck);
 
 /// The same effect at other coordinates: on the element that holds them; or
 /// empty where none at its node, at the next grid or beside them does.
 ///
 /// @param at basic axes [m]
-[[nodiscard]] std::vector<Where> moved_to(const Where& where,
-                                          const Eigen::Vector3d& at,
-                                          const structure::Deck& deck);
+[[nodiscard]] std::vector<Location> moved_to(const Location& where,
+                                             const Eigen::Vector3d& at,
+                                             const structure::Deck& deck);
 
 /// Its coordinates, a grid's or its own [m].
-[[nodiscard]] Eigen::Vector3d position_of(const Where& where,
+[[nodiscard]] Eigen::Vector3d position_of(const Location& where,
                                           const structure::Deck& deck);
 
 }  // namespace tapfit::updating

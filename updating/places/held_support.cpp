@@ -56,11 +56,11 @@ std::string held_components(const std::string& variant) {
   return found == all_held().end() ? std::string() : found->second;
 }
 
-bool is_held(const Where& where) {
+bool is_held(const Location& where) {
   return !held_components(where.variant).empty();
 }
 
-std::vector<HeldGrid> newly_held(const Deck& deck, const Where& where) {
+std::vector<HeldGrid> newly_held(const Deck& deck, const Location& where) {
   const ConstraintAxes held = structure::constraint_axes(deck);
   const std::string wanted = held_components(where.variant);
   std::vector<HeldGrid> result;
@@ -76,7 +76,7 @@ std::vector<HeldGrid> newly_held(const Deck& deck, const Where& where) {
 }
 
 std::vector<int> held_dofs(const structure::RefinedDeck& mesh,
-                           const Where& where) {
+                           const Location& where) {
   std::map<int, std::string> fresh;
   for (const HeldGrid& grid : newly_held(mesh.deck, where)) {
     fresh[grid.node] = grid.components;

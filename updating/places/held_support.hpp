@@ -19,7 +19,7 @@ namespace tapfit::updating {
 [[nodiscard]] std::string held_components(const std::string& variant);
 
 /// Whether the variant is one of these.
-[[nodiscard]] bool is_held(const Where& where);
+[[nodiscard]] bool is_held(const Location& where);
 
 /// What of a place the deck does not hold already. At grids that are held along
 /// turned axes all that is named counts.
@@ -28,13 +28,13 @@ struct HeldGrid {
   std::string components;  ///< digits of 1..6, along basic axes
 };
 [[nodiscard]] std::vector<HeldGrid> newly_held(const structure::Deck& deck,
-                                               const Where& where);
+                                               const Location& where);
 
 /// Of the mesh that is solved, for a place that is_held(): at its grids and at
 /// those between them and what the deck holds.
 /// @return degrees of freedom of u, ascending; of those that the deck holds
 ///   some may be among them
 [[nodiscard]] std::vector<int> held_dofs(const structure::RefinedDeck& mesh,
-                                         const Where& where);
+                                         const Location& where);
 
 }  // namespace tapfit::updating

@@ -31,7 +31,7 @@ std::string in_runs(const std::vector<int>& runs) {
 }
 
 // Channels of the sheet, and at which of its grids.
-std::string on_sheet(const Where& where) {
+std::string on_sheet(const Location& where) {
   std::string text = fmt::format("{}", fmt::join(where.channels, ", "));
   if (where.node != 0) text += " at node " + node_name(where.node);
   if (where.node != 0 && !where.nodes.empty()) text += ", not";
@@ -44,29 +44,29 @@ std::string on_sheet(const Where& where) {
 
 }  // namespace
 
-bool is_at_grid(const Where& where) {
+bool is_at_grid(const Location& where) {
   return where.node != 0 && where.channels.empty();
 }
 
-bool takes_mass(const Where& where) {
+bool takes_mass(const Location& where) {
   return where.variant == pocket || where.variant == pocket_edges;
 }
 
-bool has_edges(const Where& where) {
+bool has_edges(const Location& where) {
   return where.variant == edges || where.variant == pocket_edges;
 }
 
-bool is_along_axis(const Where& where) {
+bool is_along_axis(const Location& where) {
   return where.variant == "X" || where.variant == "Y" || where.variant == "Z";
 }
 
-bool is_direction(const Where& where) {
+bool is_direction(const Location& where) {
   const std::string& v = where.variant;
   return v.size() == 2 && (v[0] == '+' || v[0] == '-') && v[1] >= 'X' &&
          v[1] <= 'Z';
 }
 
-std::string describe(const Where& where) {
+std::string describe(const Location& where) {
   const std::string variant = where.variant.empty() ? ""
                               : is_along_axis(where) || is_direction(where)
                                   ? fmt::format(" along {}", where.variant)

@@ -13,7 +13,7 @@
 namespace tapfit::updating {
 
 /// Where an effect sits; which member is used depends on the effect.
-struct Where {
+struct Location {
   int node = 0;  ///< 0: not used
   std::vector<int> nodes = {};
   std::vector<int> elements = {};
@@ -33,7 +33,7 @@ struct Where {
   /// at the grid in `nodes`, and `node` is where they were.
   std::vector<int> runs = {};
 
-  bool operator==(const Where&) const = default;
+  bool operator==(const Location&) const = default;
 };
 
 /// Form of a loss of stiffness that takes the mass with it.
@@ -44,25 +44,25 @@ inline const std::string edges = "edges";
 inline const std::string pocket_edges = "pocket-edges";
 
 /// Whether elements that have lost stiffness there have lost mass, too.
-[[nodiscard]] bool takes_mass(const Where& where);
+[[nodiscard]] bool takes_mass(const Location& where);
 
 /// Whether elements beside those there have lost some of theirs.
-[[nodiscard]] bool has_edges(const Where& where);
+[[nodiscard]] bool has_edges(const Location& where);
 
 /// Form of a joint along part of a line, whose sides part.
 inline const std::string crack = "crack";
 
 /// Whether the variant is an axis that the effect acts along.
-[[nodiscard]] bool is_along_axis(const Where& where);
+[[nodiscard]] bool is_along_axis(const Location& where);
 
 /// Whether something of the structure sits there, at a grid.
-[[nodiscard]] bool is_at_grid(const Where& where);
+[[nodiscard]] bool is_at_grid(const Location& where);
 
 /// Whether the variant is a direction with its sign, "+X".
-[[nodiscard]] bool is_direction(const Where& where);
+[[nodiscard]] bool is_direction(const Location& where);
 
 /// "node 201", "node 201 along X", "acc1, acc2", "19 nodes (1 ... 38)"; of a
 /// mistake "acc1 at node 6, not 8, in runs 4 to 6".
-[[nodiscard]] std::string describe(const Where& where);
+[[nodiscard]] std::string describe(const Location& where);
 
 }  // namespace tapfit::updating

@@ -12,13 +12,13 @@ namespace {
 
 // Of the grids of places those nearest to a grid, itself first.
 std::vector<int> nearest(int node,
-                         const std::vector<Where>& places,
+                         const std::vector<Location>& places,
                          const structure::Deck& deck,
                          int count) {
   const auto position = [&deck](int id) { return deck.grid(id).position; };
   std::vector<std::pair<double, int>> distance = {{0.0, node}};
   std::set<int> known = {node};
-  for (const Where& place : places) {
+  for (const Location& place : places) {
     if (!known.insert(place.node).second) continue;
     distance.emplace_back((position(place.node) - position(node)).norm(),
                           place.node);
@@ -51,8 +51,8 @@ Eigen::Vector3d middle(const structure::Deck& deck,
 
 // How far a patch or a seam is from another: elements that are not shared,
 // metres between the middles. Empty where they have nothing in common.
-std::optional<double> distance(const Where& a,
-                               const Where& b,
+std::optional<double> distance(const Location& a,
+                               const Location& b,
                                const structure::Deck& deck) {
   if (!a.nodes.empty() && !b.nodes.empty()) {
     return (middle(deck, a.nodes) - middle(deck, b.nodes)).norm();
@@ -67,17 +67,17 @@ constexpr double most_times = 8.0;
 constexpr int per_size = 2;
 
 // Sizes within a factor of two.
-int size_class(const Where& where) {
+int size_class(const Location& where) {
   return static_cast<int>(std::bit_width(where.elements.size()));
 }
 
 }  // namespace
 
-std::vector<Where> places_near(const Where& at,
-                               const std::vector<Where>& places,
-                               const structure::Deck& deck,
-                               int count) {
-  std::vector<Where> result;
+std::vector<Location> places_near(const Location& at,
+                                  const std::vector<Location>& places,
+                                  const structure::Deck& deck,
+                                  int count) {
+  std::vector<Location> result;
   if (at.node != 0) {
     for (const int node : nearest(at.node, places, deck, count)) {
       result.push_back(at);
@@ -85,8 +85,8 @@ std::vector<Where> places_near(const Where& at,
     }
     return result;
   }
-  std::vector<std::pair<double, Where>> order;
-  for (const Where& where : places) {
+  std::vector<std::pair<double, Location>> order;
+  for (const Location& where : places) {
     if (const auto far = distance(where, at, deck)) {
       order.emplace_back(*far, where);
     }
@@ -111,9 +111,9 @@ std::vector<Where> places_near(const Where& at,
   return result;
 }
 
-bool within_reach(const Where& from,
-                  const Where& to,
-                  const std::vector<Where>& places,
+bool within_reach(const Location& from,
+                  const Location& to,
+                  const std::vector<Location>& places,
                   const structure::Deck& deck,
                   int neighbours) {
   if (from.variant != to.variant) return false;

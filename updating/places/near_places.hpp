@@ -22,15 +22,16 @@ template <class Id>
 ///
 /// @param places of the effect
 /// @param count how many besides itself, at most; not counting other sizes
-[[nodiscard]] std::vector<Where> places_near(const Where& at,
-                                             const std::vector<Where>& places,
-                                             const structure::Deck& deck,
-                                             int count);
+[[nodiscard]] std::vector<Location> places_near(
+    const Location& at,
+    const std::vector<Location>& places,
+    const structure::Deck& deck,
+    int count);
 
 /// Whether a climb from one place would look at the other anyway.
-[[nodiscard]] bool within_reach(const Where& from,
-                                const Where& to,
-                                const std::vector<Where>& places,
+[[nodiscard]] bool within_reach(const Location& from,
+                                const Location& to,
+                                const std::vector<Location>& places,
                                 const structure::Deck& deck,
                                 int neighbours);
 

@@ -30,7 +30,7 @@ struct Seen {
   Vector3d at;
 };
 
-Seen seen(const Where& where, const Deck& deck) {
+Seen seen(const Location& where, const Deck& deck) {
   if (where.nodes.empty())
     return {{where.variant}, deck.grid(where.node).position};
   Vector3d middle = Vector3d::Zero();
@@ -47,8 +47,8 @@ Seen seen(const Where& where, const Deck& deck) {
 
 }  // namespace
 
-std::vector<Where> told_apart(const std::vector<Where>& places,
-                              const Deck& deck) {
+std::vector<Location> told_apart(const std::vector<Location>& places,
+                                 const Deck& deck) {
   struct Alike {
     std::vector<std::size_t> number;
     std::vector<Vector3d> at;
@@ -67,7 +67,7 @@ std::vector<Where> told_apart(const std::vector<Where>& places,
     }
   }
   std::ranges::sort(kept);
-  std::vector<Where> result;
+  std::vector<Location> result;
   for (const std::size_t k : kept) result.push_back(places[k]);
   return result;
 }

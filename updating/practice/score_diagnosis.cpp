@@ -61,7 +61,7 @@ double longest_side(const Deck& deck) {
 
 // Turning or moving as it does, or both, and all that is held.
 bool same_support(const VirtualEffect& hidden,
-                  const Where& found,
+                  const Location& found,
                   const Deck& deck) {
   std::set<int> held;
   for (const structure::Constraint& c : deck.constraints) held.insert(c.grid);
@@ -72,7 +72,7 @@ bool same_support(const VirtualEffect& hidden,
 
 // Within one element, or the same channels.
 bool same_place(const VirtualEffect& hidden,
-                const Where& found,
+                const Location& found,
                 const Deck& deck) {
   if (hidden.name == "soft-support") return same_support(hidden, found, deck);
   if (!found.channels.empty()) {

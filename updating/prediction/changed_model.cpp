@@ -12,11 +12,11 @@ namespace tapfit::updating {
 namespace {
 
 // A change of stiffness is known to the base by effect and place.
-void refuse_twice(const std::vector<PlacedEffect>& all) {
+void refuse_twice(const std::vector<EffectInstance>& all) {
   for (auto one = all.begin(); one != all.end(); ++one) {
     if (!one->effect->changes_stiffness()) continue;
     const bool twice =
-        std::any_of(all.begin(), one, [&one](const PlacedEffect& other) {
+        std::any_of(all.begin(), one, [&one](const EffectInstance& other) {
           return other.effect == one->effect && other.where == one->where;
         });
     if (!twice) continue;
@@ -49,14 +49,14 @@ ModelState ChangedModel::changed(const Eigen::VectorXd& theta) const {
 
 ChangedModel changed_model(const Fit& fit,
                            const Fitter& fitter,
-                           const std::vector<PlacedEffect>& changes) {
+                           const std::vector<EffectInstance>& changes) {
   ChangedModel result;
   result.state = fit.result.state;
   result.changes = changes;
   const ModelState after = result.changed();
   refuse_twice(after.effects);
   const auto model = fitter.model_for(after.effects);
-  for (const PlacedEffect& change : changes) check_size(change, *model);
+  for (const EffectInstance& change : changes) check_size(change, *model);
   const ModelState reference = fitter.first_state(*model, result.state.effects);
   result.now = at_state(*model, result.state, reference);
   result.after = at_state(*model, after, reference);
@@ -69,7 +69,7 @@ Eigen::MatrixXd parameter_spread(const Fit& fit) {
   Eigen::MatrixXd C = fit.result.covariance;
   if (C.rows() != n) return Eigen::MatrixXd::Zero(n, n);
   auto k = static_cast<Eigen::Index>(state.factor.size()) + state.zeta.size();
-  for (const PlacedEffect& placed : state.effects) {
+  for (const EffectInstance& placed : state.effects) {
     const auto specs = parameters_of(placed, *fit.model);
     for (std::size_t j = 0; j < specs.size(); ++j, ++k) {
       const double most =

@@ -15,8 +15,8 @@ namespace tapfit::updating {
 struct ChangedModel {
   std::shared_ptr<const FrfModel> now;
   std::shared_ptr<const FrfModel> after;
-  ModelState state;                   ///< of the fit: now
-  std::vector<PlacedEffect> changes;  ///< what is added to it
+  ModelState state;                     ///< of the fit: now
+  std::vector<EffectInstance> changes;  ///< what is added to it
 
   /// The state after the changes, with other parameters of the fit.
   /// @param theta as pack(state)
@@ -29,7 +29,7 @@ struct ChangedModel {
 [[nodiscard]] ChangedModel changed_model(
     const Fit& fit,
     const Fitter& fitter,
-    const std::vector<PlacedEffect>& changes);
+    const std::vector<EffectInstance>& changes);
 
 /// Of the parameters of the fit, ln; zero where nothing was fitted. What the
 /// data say nothing of is anywhere in its bounds, not beyond.

@@ -41,7 +41,7 @@ SharedShapes shared_shapes(const Prediction& prediction,
   const FrfModel& model = *prediction.model;
   std::vector<std::size_t> shared;
   for (std::size_t k = 0; k < after.dofs.size(); ++k) {
-    if (model.setting().deck->has_grid(after.dofs[k].node)) shared.push_back(k);
+    if (model.context().deck->has_grid(after.dofs[k].node)) shared.push_back(k);
   }
   const auto rows = static_cast<Index>(shared.size());
   SharedShapes shapes{MatrixXcd(rows, static_cast<Index>(after.modes.size())),

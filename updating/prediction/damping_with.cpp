@@ -11,13 +11,13 @@ double of_effects(const FrfModel& model,
                   const Eigen::VectorXd& phi,
                   double omega,
                   const std::vector<std::size_t>& runs) {
-  const TestAsDone done = test_as_done(model.setting(), state.effects);
+  const TestAsDone done = test_as_done(model.context(), state.effects);
   double lost = 0.0;
-  for (const PlacedEffect& placed : state.effects) {
+  for (const EffectInstance& placed : state.effects) {
     if (placed.effect->entry() != effects::Entry::LowRank) continue;
     for (const std::size_t run : runs) {
-      for (const effects::ActedDof& dof :
-           placed.effect->acts_on(placed.where, done.setting, run)) {
+      for (const effects::InterfaceDof& dof :
+           placed.effect->interface_dofs(placed.where, done.context, run)) {
         const double b = model.row(dof).dot(phi);
         const double z =
             placed.effect->law({0.0, omega}, placed.p, dof.group).imag();
@@ -31,7 +31,7 @@ double of_effects(const FrfModel& model,
 double of_deck(const FrfModel& model, const Eigen::VectorXd& phi) {
   const ReducedBase& base = model.base();
   const Eigen::MatrixXd dampers = structure::damping_factor(
-      *model.setting().deck, base.size(), [&base](int dof) {
+      *model.context().deck, base.size(), [&base](int dof) {
         return base.rows.row(dof);
       });
   if (dampers.cols() == 0) return 0.0;

@@ -27,15 +27,15 @@ double form_variance(const PredictionBasis& basis) {
   return 0.25 * form.mean_tau * form.mean_tau;
 }
 
-std::vector<std::size_t> measured_runs(const FitSetting& setting) {
+std::vector<std::size_t> measured_runs(const FitProblem& problem) {
   std::set<std::size_t> runs;
-  for (const signal::Frf& frf : setting.measured.frfs) runs.insert(frf.run);
+  for (const signal::Frf& frf : problem.measured.frfs) runs.insert(frf.run);
   if (runs.empty()) runs.insert(0);
   return {runs.begin(), runs.end()};
 }
 
-bool holds_absorber(const std::vector<PlacedEffect>& effects) {
-  return std::ranges::any_of(effects, [](const PlacedEffect& placed) {
+bool holds_absorber(const std::vector<EffectInstance>& effects) {
+  return std::ranges::any_of(effects, [](const EffectInstance& placed) {
     return placed.effect == &effects::absorber();
   });
 }
@@ -77,11 +77,11 @@ std::vector<std::string> warnings_of(const Prediction& prediction) {
 Prediction predict_change(const PredictionBasis& basis,
                           const std::vector<StatedChange>& changes,
                           const Progress& progress) {
-  const FitSetting& setting = basis.fitter.setting();
+  const FitProblem& problem = basis.fitter.problem();
   Prediction prediction;
   prediction.with = basis.fit.result.state.effects;
   for (const StatedChange& change : changes) {
-    prediction.change.push_back(place_change(change, setting.setting));
+    prediction.change.push_back(place_change(change, problem.context));
   }
   progress("prediction: the changed model", 0.0);
   const ChangedModel model =
@@ -94,7 +94,7 @@ Prediction predict_change(const PredictionBasis& basis,
                        basis.comparison.pairs,
                        parameter_spread(basis.fit),
                        form,
-                       measured_runs(setting)};
+                       measured_runs(problem)};
   prediction.modes = predicted_modes(model, known);
   if (!basis.fitter.target().is_modal()) {
     progress("prediction: FRFs", 0.7);

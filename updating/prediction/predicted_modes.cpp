@@ -36,7 +36,7 @@ BothModes both_modes(const ChangedModel& model) {
                  model.after->full_modes(model.changed()),
                  {},
                  {}};
-  const double top = two_pi * 1.5 * model.now->setting().high_hz;
+  const double top = two_pi * 1.5 * model.now->context().high_hz;
   const Index r = both.now.omega.size();
   const Index first = (both.now.omega.array() < top).count();
   const Index all = std::min(
@@ -229,9 +229,9 @@ std::vector<PredictedMode> predicted_modes(const ChangedModel& model,
                                            const KnownNow& known) {
   const BothModes both = both_modes(model);
   const Slopes d = slopes(model, both);
-  const effects::Setting& setting = model.now->setting();
-  const auto in_band = [&setting](double hz) {
-    return setting.low_hz <= hz && hz <= setting.high_hz;
+  const effects::TestContext& context = model.now->context();
+  const auto in_band = [&context](double hz) {
+    return context.low_hz <= hz && hz <= context.high_hz;
   };
   std::vector<PredictedMode> modes;
   for (std::size_t m = 0; m < both.becomes.size(); ++m) {

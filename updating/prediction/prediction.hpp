@@ -2,7 +2,7 @@
 #pragma once
 
 #include "signal/frf_set/frf_set.hpp"
-#include "updating/effects/placed_effect.hpp"
+#include "updating/effects/effect_instance.hpp"
 #include "updating/fit/estimate.hpp"
 #include "updating/frf_model/frf_model.hpp"
 
@@ -43,8 +43,8 @@ struct FrfChange {
 };
 
 struct Prediction {
-  std::vector<PlacedEffect> with;    ///< effects that the model has now
-  std::vector<PlacedEffect> change;  ///< that are stated
+  std::vector<EffectInstance> with;    ///< effects that the model has now
+  std::vector<EffectInstance> change;  ///< that are stated
   /// What the deck's form is off by, of a mode's frequency, relative.
   double form_sd = 0.0;
   std::vector<PredictedMode> modes;  ///< by the frequency that they have now

@@ -111,12 +111,12 @@ StatedChange parse_stated_change(const std::string& text) {
   return change;
 }
 
-PlacedEffect place_change(const StatedChange& change,
-                          const effects::Setting& setting) {
-  PlacedEffect placed = place_effect(change.ref, setting);
+EffectInstance place_change(const StatedChange& change,
+                            const effects::TestContext& context) {
+  EffectInstance placed = place_effect(change.ref, context);
   const std::string name = effect_text(change.ref.effect, placed.where);
   const std::vector<effects::ParameterSpec> specs =
-      placed.effect->parameters(placed.where, setting);
+      placed.effect->parameters(placed.where, context);
   if (change.sizes.size() != specs.size()) {
     std::vector<std::string> names;
     for (const auto& spec : specs) names.push_back(spec.name);
@@ -140,7 +140,7 @@ PlacedEffect place_change(const StatedChange& change,
   return placed;
 }
 
-void check_size(const PlacedEffect& change, const FrfModel& model) {
+void check_size(const EffectInstance& change, const FrfModel& model) {
   const std::vector<effects::ParameterSpec> specs =
       parameters_of(change, model);
   // Of a base that holds a change of stiffness only sizes in its range are.
@@ -160,11 +160,11 @@ void check_size(const PlacedEffect& change, const FrfModel& model) {
   }
 }
 
-std::string change_text(const PlacedEffect& change,
-                        const effects::Setting& setting) {
+std::string change_text(const EffectInstance& change,
+                        const effects::TestContext& context) {
   std::string text = effect_text(change.effect->name(), change.where);
   const std::vector<effects::ParameterSpec> specs =
-      change.effect->parameters(change.where, setting);
+      change.effect->parameters(change.where, context);
   for (std::size_t k = 0; k < specs.size(); ++k) {
     text +=
         fmt::format(", {} {:.6g}", specs[k].name, specs[k].sign * change.p[k]);

@@ -8,8 +8,8 @@
 // "added-mass@201:rotary=0.010,2e-6", "stiffness-loss@60:61=80%".
 #pragma once
 
+#include "updating/effects/effect_instance.hpp"
 #include "updating/effects/effect_ref.hpp"
-#include "updating/effects/placed_effect.hpp"
 #include "updating/frf_model/frf_model.hpp"
 
 #include <string>
@@ -40,16 +40,16 @@ struct StatedChange {
 /// @throws InputError for a place that the model does not have, another number
 ///   of sizes than the effect has parameters, a unit that is none of theirs, a
 ///   size that is not above zero
-[[nodiscard]] PlacedEffect place_change(const StatedChange& change,
-                                        const effects::Setting& setting);
+[[nodiscard]] EffectInstance place_change(const StatedChange& change,
+                                          const effects::TestContext& context);
 
 /// Whether the model can hold a change of that size.
 /// @param model whose base holds the change
 /// @throws InputError with the range where it cannot
-void check_size(const PlacedEffect& change, const FrfModel& model);
+void check_size(const EffectInstance& change, const FrfModel& model);
 
 /// "added-mass at node 201, mass_kg 0.01".
-[[nodiscard]] std::string change_text(const PlacedEffect& change,
-                                      const effects::Setting& setting);
+[[nodiscard]] std::string change_text(const EffectInstance& change,
+                                      const effects::TestContext& context);
 
 }  // namespace tapfit::updating

@@ -55,7 +55,7 @@ double largest_pull(const Deck& deck,
 std::vector<Triplets> support_springs(const Deck& deck,
                                       const StiffnessChange& change,
                                       const Eigen::VectorXd& pulled) {
-  const Where& where = change.of.where;
+  const Location& where = change.of.where;
   const std::set<int> wanted(where.nodes.begin(), where.nodes.end());
   std::vector<int> nodes;
   for (const std::vector<int>& group : support_groups(deck)) {
@@ -135,7 +135,7 @@ Parting turns(int node, const Eigen::Vector3d& axis, double held) {
   return parting;
 }
 
-Cut crack_of(const Deck& deck, const Where& where) {
+Cut crack_of(const Deck& deck, const Location& where) {
   CrackLine crack = crack_line(deck, where.nodes);
   Cut cut{{}, std::move(crack.side)};
   for (const PartedGrid& grid : crack.grids) {
@@ -152,7 +152,7 @@ Cut crack_of(const Deck& deck, const Where& where) {
 }
 
 Cut cut_of(const RefinedDeck& mesh, const StiffnessChange& change) {
-  const Where& where = change.of.where;
+  const Location& where = change.of.where;
   if (where.variant == crack) return crack_of(mesh.deck, where);
   JointLine joint = where.nodes.size() > 1
                         ? shell_joint(mesh.deck, where.nodes)
@@ -278,7 +278,7 @@ void append_elements(const RefinedDeck& mesh,
                      std::size_t position,
                      const std::vector<OpenJoint>& joints,
                      ReleasedSystem& released) {
-  const Where& where = change.of.where;
+  const Location& where = change.of.where;
   std::vector<std::vector<int>> groups = {where.elements};
   groups.insert(groups.end(), change.beside.begin(), change.beside.end());
   for (std::size_t p = 0; p < groups.size(); ++p) {
@@ -295,7 +295,7 @@ void append_preload(const RefinedDeck& mesh,
                     const StiffnessChange& change,
                     std::size_t position,
                     ReleasedSystem& released) {
-  const Where& where = change.of.where;
+  const Location& where = change.of.where;
   effects::Preload unit = effects::preload(
       mesh.deck, system, mesh.pieces_of(where.elements), where);
   std::size_t parameter = 0;

@@ -2,9 +2,9 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/candidate_ranking.hpp"
+#include "updating/diagnosis/classify_diagnosis.hpp"
 #include "updating/diagnosis/evidence.hpp"
-#include "updating/diagnosis/round.hpp"
-#include "updating/diagnosis/set_verdict.hpp"
 #include "updating/diagnosis/worth.hpp"
 #include "updating/localisation/run_drift.hpp"
 #include "updating/residual/independent_data.hpp"
@@ -38,11 +38,11 @@ struct Judge {
   }
 };
 
-// The contenders beside none of them, as RungSearch::look() has them.
-Round round_of(const std::vector<Contender>& contenders,
-               const Fit& none,
-               const Judge& judge) {
-  Round round;
+// The contenders beside none of them, as ForwardSelection::look() has them.
+CandidateRanking round_of(const std::vector<Contender>& contenders,
+                          const Fit& none,
+                          const Judge& judge) {
+  CandidateRanking round;
   round.data = judge.data(none);
   const double noise = judge.options.floor_noise;
   round.none_evidence = log_evidence(none, 0.0, 1.0, round.data, noise);
@@ -62,7 +62,7 @@ Round round_of(const std::vector<Contender>& contenders,
   return round;
 }
 
-std::size_t strongest(const Round& round) {
+std::size_t strongest(const CandidateRanking& round) {
   const auto at =
       std::ranges::max_element(round.hypotheses, {}, &Hypothesis::log_evidence);
   return static_cast<std::size_t>(at - round.hypotheses.begin());
@@ -92,7 +92,7 @@ bool earns(const Fit& with,
 
 // Of a rung that is in the model: the last, and with it a single one, must earn
 // its place on runs left out, the others must not be superfluous.
-bool stays(const Round& round,
+bool stays(const CandidateRanking& round,
            std::size_t best,
            const Fit& none,
            std::size_t rung,
@@ -119,7 +119,7 @@ void add_beside(const Refits& refits,
                 Diagnosis& result) {
   if (refits.besides.empty()) return;
   if (is_explained(top.result.error, judge.floor(top))) return;
-  const Round round = round_of(refits.besides, top, judge);
+  const CandidateRanking round = round_of(refits.besides, top, judge);
   const std::size_t best = strongest(round);
   const Hypothesis& h = round.hypotheses[best];
   const double gain = h.log_evidence - round.none_evidence;
@@ -136,10 +136,10 @@ void add_beside(const Refits& refits,
 // What the diagnosis says once its ladder stands.
 void conclude(const Fit& top, const Judge& judge, Diagnosis& result) {
   result.floor = std::hypot(judge.options.floor, judge.form(top).error);
-  set_verdict(judge.fitter.setting().measured.level, {}, result);
+  classify_diagnosis(judge.fitter.problem().measured.level, {}, result);
   if (result.verdict != "none") return;
   const auto drift = run_drift(top, judge.fitter.target());
-  if (drift && is_telling(*drift)) result.verdict = "unexplained";
+  if (drift && is_significant(*drift)) result.verdict = "unexplained";
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ std::string verdict_of(const Refits& refits,
   const std::size_t rungs = refits.instead.size();
   for (std::size_t k = 0; k < rungs; ++k) {
     const Fit& none = refits.without[k];
-    const Round round = round_of(refits.instead[k], none, judge);
+    const CandidateRanking round = round_of(refits.instead[k], none, judge);
     const std::size_t best = strongest(round);
     if (!stays(round, best, none, k, rungs, judge)) {
       // Of several that go the one that leaves most speaks.

@@ -13,7 +13,7 @@
 namespace tapfit::updating {
 namespace {
 
-bool same_place(const PlacedEffect& a, const PlacedEffect& b) {
+bool same_place(const EffectInstance& a, const EffectInstance& b) {
   return a.effect == b.effect && a.where == b.where;
 }
 
@@ -34,11 +34,11 @@ std::vector<Fit*> all_of(Refits& refits) {
 void take_found(Refits& refits) {
   for (std::vector<Contender>& rung : refits.instead) {
     Fit& fit = rung.front().hypothesis.fit;
-    const PlacedEffect own = fit.effects.back();
+    const EffectInstance own = fit.effects.back();
     fit = refits.found;
     const auto at = std::ranges::find_if(
         fit.effects,
-        [&own](const PlacedEffect& e) { return same_place(e, own); });
+        [&own](const EffectInstance& e) { return same_place(e, own); });
     if (at != fit.effects.end()) std::rotate(at, at + 1, fit.effects.end());
   }
 }
@@ -64,16 +64,16 @@ void make_all(Refits& refits, const Make& make, const Progress& progress) {
   take_found(refits);
 }
 
-void take_out(std::vector<PlacedEffect>& effects, const PlacedEffect& one) {
+void take_out(std::vector<EffectInstance>& effects, const EffectInstance& one) {
   std::erase_if(effects,
-                [&one](const PlacedEffect& e) { return same_place(e, one); });
+                [&one](const EffectInstance& e) { return same_place(e, one); });
 }
 
 // A rival where it ended, beside the others: as they were beside it or, where
 // they were not, as they are in what was found.
-Fit beside(const Fit& rival, std::vector<PlacedEffect> others) {
-  for (PlacedEffect& other : others) {
-    for (const PlacedEffect& e : rival.effects) {
+Fit beside(const Fit& rival, std::vector<EffectInstance> others) {
+  for (EffectInstance& other : others) {
+    for (const EffectInstance& e : rival.effects) {
       if (same_place(e, other)) other = e;
     }
   }
@@ -92,11 +92,11 @@ Contender contending(const MadeFit& made, Fit fit) {
 }
 
 // Where all of them start.
-Refits starts(const Rivals& rivals, const effects::Setting& setting) {
+Refits starts(const Rivals& rivals, const effects::TestContext& context) {
   Refits refits;
-  refits.found = where_it_ended(rivals.found, setting);
+  refits.found = where_it_ended(rivals.found, context);
   for (const std::vector<MadeFit>& tried : rivals.instead) {
-    const Fit first = where_it_ended(tried.front(), setting);
+    const Fit first = where_it_ended(tried.front(), context);
     Fit without = refits.found;
     take_out(without.effects, first.effects.back());
     without.result.state.effects = without.effects;
@@ -104,14 +104,14 @@ Refits starts(const Rivals& rivals, const effects::Setting& setting) {
     for (std::size_t k = 1; k < tried.size(); ++k) {
       contenders.push_back(contending(
           tried[k],
-          beside(where_it_ended(tried[k], setting), without.effects)));
+          beside(where_it_ended(tried[k], context), without.effects)));
     }
     refits.without.push_back(std::move(without));
     refits.instead.push_back(std::move(contenders));
   }
   for (const MadeFit& made : rivals.besides) {
     refits.besides.push_back(contending(
-        made, beside(where_it_ended(made, setting), refits.found.effects)));
+        made, beside(where_it_ended(made, context), refits.found.effects)));
   }
   return refits;
 }
@@ -132,7 +132,7 @@ Fit start_under(const SettingChange& change, const Fit& from) {
 Refits refits_of(const Rivals& rivals,
                  const Fitter& fitter,
                  const Progress& progress) {
-  Refits refits = starts(rivals, fitter.setting().setting);
+  Refits refits = starts(rivals, fitter.problem().context);
   const std::size_t rungs = refits.without.size();
   make_all(
       refits,
@@ -154,7 +154,7 @@ Refits refits_under(const SettingChange& change,
   Refits refits = unchanged;
   if (!change.moves_fits()) {
     for (Fit* fit : all_of(refits)) {
-      fit->form.allowance = fitter.setting().form_allowance;
+      fit->form.allowance = fitter.problem().form_allowance;
     }
     take_found(refits);
     return refits;

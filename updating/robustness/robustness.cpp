@@ -39,7 +39,7 @@ Fit told(const Fit& found,
 // The rung's effect in the fit; nothing where it is not there.
 std::optional<std::size_t> position_of(const Rung& rung, const Fit& fit) {
   for (std::size_t k = 0; k < fit.effects.size(); ++k) {
-    const PlacedEffect& e = fit.effects[k];
+    const EffectInstance& e = fit.effects[k];
     if (e.effect->name() == leading_kind(rung) && e.where == rung.where) {
       return k;
     }
@@ -49,12 +49,12 @@ std::optional<std::size_t> position_of(const Rung& rung, const Fit& fit) {
 
 void take_sizes(const std::vector<Rung>& ladder,
                 const Fit& fit,
-                const effects::Setting& setting,
+                const effects::TestContext& context,
                 Robustness& row) {
   for (const Rung& rung : ladder) {
     const auto at = position_of(rung, fit);
     if (!at) continue;
-    for (Estimate e : effect_estimates(fit, *at, setting)) {
+    for (Estimate e : effect_estimates(fit, *at, context)) {
       const auto was =
           std::ranges::find(rung.parameters, e.name, &Estimate::name);
       if (was != rung.parameters.end() && was->sd > 0.0) {
@@ -80,7 +80,7 @@ FirmnessCheck::FirmnessCheck(const Fitter& fitter,
 
 Robustness FirmnessCheck::under(const SettingChange& change,
                                 const Progress& progress) const {
-  const Fitter fitter = fitter_->with(changed(fitter_->setting(), change));
+  const Fitter fitter = fitter_->with(changed(fitter_->problem(), change));
   const DiagnoseOptions options = options_for(options_, change, fitter);
   const Refits refits = refits_under(change, unchanged_, fitter, progress);
   Robustness row;
@@ -90,7 +90,7 @@ Robustness FirmnessCheck::under(const SettingChange& change,
   row.verdict_stands = row.verdict == diagnosis_->verdict;
   take_sizes(diagnosis_->ladder,
              told(refits.found, fitter, options),
-             fitter.setting().setting,
+             fitter.problem().context,
              row);
   return row;
 }
@@ -99,9 +99,9 @@ std::vector<Robustness> robustness(const Fitter& fitter,
                                    const DiagnoseOptions& options,
                                    const Diagnosis& diagnosis,
                                    const Progress& progress) {
-  const Progress whole = never_falling(progress);
+  const Progress whole = monotonic(progress);
   const std::vector<SettingChange> changes =
-      setting_changes(fitter.setting(), options.properties);
+      setting_changes(fitter.problem(), options.properties);
   const double parts = static_cast<double>(changes.size()) + 1.0;
   const FirmnessCheck check(
       fitter, options, diagnosis, part_of(whole, 0.0, 1.0 / parts));

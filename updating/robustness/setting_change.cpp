@@ -17,7 +17,7 @@ constexpr double twice = 2.0;
 
 const char* word(double factor) { return factor < 1.0 ? "halved" : "doubled"; }
 
-void add_priors(const FitSetting& setting,
+void add_priors(const FitProblem& problem,
                 const std::vector<PropertyName>& properties,
                 std::vector<SettingChange>& changes) {
   const auto add = [&changes](const std::string& of,
@@ -30,12 +30,12 @@ void add_priors(const FitSetting& setting,
     }
   };
   std::vector<std::size_t> corrections;
-  for (std::size_t k = 0; k < setting.uncertain_sd.size(); ++k) {
+  for (std::size_t k = 0; k < problem.uncertain_sd.size(); ++k) {
     k < properties.size() ? add(properties[k].name, {k})
                           : corrections.push_back(k);
   }
   if (!corrections.empty()) add("the model's corrections", corrections);
-  if (setting.targets.back().is_modal()) return;  // damping is no datum
+  if (problem.targets.back().is_modal()) return;  // damping is no datum
   for (const double factor : {half, twice}) {
     SettingChange change{fmt::format("prior of damping {}", word(factor))};
     change.damping_prior = factor;
@@ -51,8 +51,8 @@ std::string runs_text(const std::vector<std::size_t>& runs) {
 }
 
 // Neighbours go together, in groups as even as can be.
-void add_runs(const FitSetting& setting, std::vector<SettingChange>& changes) {
-  const Target& target = setting.targets.back();
+void add_runs(const FitProblem& problem, std::vector<SettingChange>& changes) {
+  const Target& target = problem.targets.back();
   const std::set<std::size_t> all(target.run.begin(), target.run.end());
   const std::vector<std::size_t> runs(all.begin(), all.end());
   if (runs.size() < 2) return;
@@ -76,9 +76,9 @@ bool SettingChange::moves_fits() const {
 }
 
 std::vector<SettingChange> setting_changes(
-    const FitSetting& setting, const std::vector<PropertyName>& properties) {
+    const FitProblem& problem, const std::vector<PropertyName>& properties) {
   std::vector<SettingChange> changes;
-  add_priors(setting, properties, changes);
+  add_priors(problem, properties, changes);
   for (std::size_t k = 0; k < properties.size(); ++k) {
     SettingChange change{properties[k].name + " held at the deck's value"};
     change.of = {k};
@@ -90,25 +90,25 @@ std::vector<SettingChange> setting_changes(
     change.form = factor;
     changes.push_back(std::move(change));
   }
-  add_runs(setting, changes);
+  add_runs(problem, changes);
   return changes;
 }
 
-FitSetting changed(FitSetting setting, const SettingChange& change) {
+FitProblem changed(FitProblem problem, const SettingChange& change) {
   for (const std::size_t k : change.of) {
-    double& sd = setting.uncertain_sd.at(k);
+    double& sd = problem.uncertain_sd.at(k);
     sd = change.held ? held_sd : change.prior * sd;
   }
-  setting.damping_spread *= change.damping_prior;
-  setting.form_allowance *= change.form;
-  for (Target& target : setting.targets) {
+  problem.damping_spread *= change.damping_prior;
+  problem.form_allowance *= change.form;
+  for (Target& target : problem.targets) {
     for (std::size_t f = 0; f < target.run.size(); ++f) {
       const bool out = std::ranges::find(change.left_out, target.run[f]) !=
                        change.left_out.end();
       if (out) target.use[f] = 0.0;
     }
   }
-  return setting;
+  return problem;
 }
 
 }  // namespace tapfit::updating

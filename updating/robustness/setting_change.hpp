@@ -15,7 +15,7 @@ namespace tapfit::updating {
 
 struct SettingChange {
   std::string what = {};                   ///< "prior of E:1 doubled"
-  std::vector<std::size_t> of = {};        ///< in FitSetting::uncertain_sd
+  std::vector<std::size_t> of = {};        ///< in FitProblem::uncertain_sd
   double prior = 1.0;                      ///< times the sd of these
   double damping_prior = 1.0;              ///< times the sd of damping
   bool held = false;                       ///< these stay at the deck's value
@@ -28,12 +28,12 @@ struct SettingChange {
 
 /// All of them, in the order above; of a test that consists of modes without
 /// damping and runs.
-/// @param properties names of the first in FitSetting::uncertain_sd; others
+/// @param properties names of the first in FitProblem::uncertain_sd; others
 ///   there are the mesh's, and are changed together
 [[nodiscard]] std::vector<SettingChange> setting_changes(
-    const FitSetting& setting, const std::vector<PropertyName>& properties);
+    const FitProblem& problem, const std::vector<PropertyName>& properties);
 
-[[nodiscard]] FitSetting changed(FitSetting setting,
+[[nodiscard]] FitProblem changed(FitProblem problem,
                                  const SettingChange& change);
 
 }  // namespace tapfit::updating

@@ -17,7 +17,7 @@ namespace {
 // A climb goes on while it gains: across a structure if need be.
 constexpr int most_steps = 40;
 /// The neighbours of a place.
-using Near = std::function<std::vector<Where>(const Where&)>;
+using Near = std::function<std::vector<Location>(const Location&)>;
 
 /// Whether one is better than another.
 using Better = bool (*)(const Hypothesis&, const Hypothesis&);
@@ -30,24 +30,25 @@ void climb(std::vector<Hypothesis>& found,
            const Fitter& fitter,
            const Near& near,
            const Progress& progress) {
-  std::vector<Where> seen;
+  std::vector<Location> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
   for (int round = 0; round < most_steps; ++round) {
     const Hypothesis best =
         *std::min_element(found.begin(), found.end(), better);
-    const PlacedEffect& own = best.own();
-    std::vector<PlacedEffect> tries;
-    for (const Where& where : near(own.where)) {
+    const EffectInstance& own = best.own();
+    std::vector<EffectInstance> tries;
+    for (const Location& where : near(own.where)) {
       if (std::find(seen.begin(), seen.end(), where) != seen.end()) continue;
       seen.push_back(where);
-      PlacedEffect next = placed(*own.effect, where, fitter.setting().setting);
+      EffectInstance next =
+          placed(*own.effect, where, fitter.problem().context);
       if (next.p.size() == own.p.size()) next.p = own.p;
       if (!is_present(current, next)) tries.push_back(next);
     }
     if (tries.empty()) return;
     std::shared_ptr<const FrfModel> shared;
     if (!own.effect->changes_stiffness()) {
-      std::vector<PlacedEffect> all = current.effects;
+      std::vector<EffectInstance> all = current.effects;
       all.insert(all.end(), tries.begin(), tries.end());
       shared = fitter.model_for(all);
     }
@@ -68,13 +69,14 @@ void climb_places(std::vector<Hypothesis>& found,
                   const Fitter& fitter,
                   int neighbours,
                   const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
-  const PlacedEffect& any = found.front().own();
+  const effects::TestContext& context = fitter.problem().context;
+  const EffectInstance& any = found.front().own();
   const bool is_loss = any.effect->changes_stiffness() == ChangeKind::Elements;
-  const std::vector<Where>& all = fitter.places(*any.effect);
-  const auto near = [&](const Where& at) {
-    std::vector<Where> places = places_near(at, all, *setting.deck, neighbours);
-    for (Where& where : places) {
+  const std::vector<Location>& all = fitter.places(*any.effect);
+  const auto near = [&](const Location& at) {
+    std::vector<Location> places =
+        places_near(at, all, *context.deck, neighbours);
+    for (Location& where : places) {
       if (is_loss) where.variant = at.variant;
     }
     return places;
@@ -86,9 +88,9 @@ void climb_shapes(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
                   const Progress& progress) {
-  const structure::Deck& deck = *fitter.setting().setting.deck;
-  const auto near = [&deck](const Where& at) {
-    std::vector<Where> places;
+  const structure::Deck& deck = *fitter.problem().context.deck;
+  const auto near = [&deck](const Location& at) {
+    std::vector<Location> places;
     for (std::vector<int>& ids : stretched_patches(at.elements, deck)) {
       places.push_back(at);
       places.back().elements = std::move(ids);
@@ -102,9 +104,9 @@ void climb_cracks(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
                   const Progress& progress) {
-  const structure::Deck& deck = *fitter.setting().setting.deck;
-  const auto near = [&deck](const Where& at) {
-    std::vector<Where> places;
+  const structure::Deck& deck = *fitter.problem().context.deck;
+  const auto near = [&deck](const Location& at) {
+    std::vector<Location> places;
     for (std::vector<int>& nodes : cracks_near(deck, at.nodes)) {
       if (crack_line(deck, nodes).grids.empty()) continue;
       places.push_back(at);

@@ -12,8 +12,9 @@ namespace {
 // parameters and places cost, can make up for.
 constexpr double out_of_reach = 30.0;
 
-std::vector<PlacedEffect> with(const Fit& current, const PlacedEffect& more) {
-  std::vector<PlacedEffect> effects = current.effects;
+std::vector<EffectInstance> with(const Fit& current,
+                                 const EffectInstance& more) {
+  std::vector<EffectInstance> effects = current.effects;
   effects.push_back(more);
   return effects;
 }
@@ -42,11 +43,11 @@ bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
 }
 
 Fit approach_one(const Fit& current,
-                 const PlacedEffect& more,
+                 const EffectInstance& more,
                  const Fitter& fitter,
                  const std::shared_ptr<const FrfModel>& shared,
                  const Progress& progress) {
-  const std::vector<PlacedEffect> effects = with(current, more);
+  const std::vector<EffectInstance> effects = with(current, more);
   return without_jacobian(fitter.approach(
       effects, shared ? shared : fitter.model_for(effects), progress));
 }
@@ -70,7 +71,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, double most) {
 }
 
 std::vector<Hypothesis> fit_each(const Fit& current,
-                                 const std::vector<PlacedEffect>& extras,
+                                 const std::vector<EffectInstance>& extras,
                                  const Fitter& fitter,
                                  double known,
                                  const Progress& progress) {
@@ -97,7 +98,7 @@ std::vector<Hypothesis> fit_each(const Fit& current,
 std::vector<Hypothesis> fit_each_beside(
     const Fit& beside,
     const Fit& current,
-    const std::vector<PlacedEffect>& extras,
+    const std::vector<EffectInstance>& extras,
     const Fitter& fitter,
     const std::shared_ptr<const FrfModel>& shared,
     const Progress& progress) {
@@ -105,7 +106,7 @@ std::vector<Hypothesis> fit_each_beside(
   const Progress silent{{}, progress.stop};
   work_on_each(
       result.size(), silent, [&](std::size_t k, const Progress& quiet) {
-        const std::vector<PlacedEffect> effects = with(current, extras[k]);
+        const std::vector<EffectInstance> effects = with(current, extras[k]);
         result[k].fit = without_jacobian(
             fitter.fit_beside(beside,
                               effects,

@@ -15,7 +15,7 @@ namespace tapfit::updating {
 /// The first pass, for the present effects and one more.
 /// @param shared its base; null: it gets its own
 [[nodiscard]] Fit approach_one(const Fit& current,
-                               const PlacedEffect& more,
+                               const EffectInstance& more,
                                const Fitter& fitter,
                                const std::shared_ptr<const FrfModel>& shared,
                                const Progress& progress);
@@ -36,7 +36,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, double most);
 /// @param known log likelihood of what is known already
 [[nodiscard]] std::vector<Hypothesis> fit_each(
     const Fit& current,
-    const std::vector<PlacedEffect>& extras,
+    const std::vector<EffectInstance>& extras,
     const Fitter& fitter,
     double known,
     const Progress& progress);
@@ -47,7 +47,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, double most);
 [[nodiscard]] std::vector<Hypothesis> fit_each_beside(
     const Fit& beside,
     const Fit& current,
-    const std::vector<PlacedEffect>& extras,
+    const std::vector<EffectInstance>& extras,
     const Fitter& fitter,
     const std::shared_ptr<const FrfModel>& shared,
     const Progress& progress);

@@ -19,7 +19,7 @@ void share_bases(std::vector<Planned>& plans,
                  const Fitter& fitter) {
   for_each_parallel(plans.size(), [&](std::size_t k) {
     if (plans[k].tries.empty() || plans[k].effect->changes_stiffness()) return;
-    std::vector<PlacedEffect> together = current.effects;
+    std::vector<EffectInstance> together = current.effects;
     together.insert(
         together.end(), plans[k].tries.begin(), plans[k].tries.end());
     plans[k].shared = fitter.model_for(together);

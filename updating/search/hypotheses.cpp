@@ -39,11 +39,11 @@ bool tells(const Hypothesis& h, const Fit& current, const Fitter& fitter) {
 
 // Whether any of what it acts on can move: a model of bars in a plane does not
 // turn out of it.
-bool acts(const PlacedEffect& placed, const FrfModel& model) {
-  const std::vector<effects::ActedDof> dofs =
-      placed.effect->acts_on(placed.where, model.setting(), 0);
+bool acts(const EffectInstance& placed, const FrfModel& model) {
+  const std::vector<effects::InterfaceDof> dofs =
+      placed.effect->interface_dofs(placed.where, model.context(), 0);
   std::map<std::size_t, double> moves;
-  for (const effects::ActedDof& dof : dofs) {
+  for (const effects::InterfaceDof& dof : dofs) {
     moves[dof.group] += model.row(dof).norm();
   }
   return std::ranges::none_of(moves,
@@ -141,17 +141,17 @@ void climb_rivals(std::vector<Kind>& kinds,
 // Where a kind may have another form: at the best of its grids or seams, at a
 // few patches apart, or wherever supports and sensors, which are few, were
 // looked at.
-std::vector<Where> places_for_forms(const Kind& kind,
-                                    const structure::Deck& deck) {
+std::vector<Location> places_for_forms(const Kind& kind,
+                                       const structure::Deck& deck) {
   constexpr std::size_t most_apart = 3;
   std::vector<const Hypothesis*> order;
   for (const Hypothesis& h : kind.found) order.push_back(&h);
   std::ranges::stable_sort(
       order, [](const auto* a, const auto* b) { return is_likelier(*a, *b); });
-  std::vector<Where> places;
+  std::vector<Location> places;
   for (const Hypothesis* h : order) {
-    const Where& where = h->own().where;
-    const bool near = std::ranges::any_of(places, [&](const Where& other) {
+    const Location& where = h->own().where;
+    const bool near = std::ranges::any_of(places, [&](const Location& other) {
       return kind.is_loss() && within_reach(other, where, {}, deck, 0);
     });
     if (!near) places.push_back(where);
@@ -163,12 +163,12 @@ std::vector<Where> places_for_forms(const Kind& kind,
 
 // A patch that has lost next to all of its stiffness may be a crack, which the
 // seams that do well as joints are not near.
-std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
-                                     double most_error,
-                                     const Fit& current,
-                                     const Fitter& fitter) {
+std::vector<Location> cracks_in_patches(const std::vector<Kind>& kinds,
+                                        double most_error,
+                                        const Fit& current,
+                                        const Fitter& fitter) {
   constexpr double next_to_all = 0.25;  // left
-  std::vector<Where> places;
+  std::vector<Location> places;
   for (const Kind& kind : kinds) {
     if (!kind.is_loss() || kind.error() > most_error) continue;
     const Hypothesis* best = nullptr;
@@ -178,7 +178,7 @@ std::vector<Where> cracks_in_patches(const std::vector<Kind>& kinds,
       if (best == nullptr || is_likelier(h, *best)) best = &h;
     }
     if (best == nullptr || best->fit.result.error > most_error) continue;
-    for (std::vector<int>& nodes : cracks_within(*fitter.setting().setting.deck,
+    for (std::vector<int>& nodes : cracks_within(*fitter.problem().context.deck,
                                                  best->own().where.elements)) {
       places.emplace_back().nodes = std::move(nodes);
     }
@@ -201,15 +201,15 @@ void try_edges(Kind& kind,
                const Fit& current,
                const Fitter& fitter,
                const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
-  Where where = kind.likeliest().own().where;
+  const effects::TestContext& context = fitter.problem().context;
+  Location where = kind.likeliest().own().where;
   where.variant = takes_mass(where) ? pocket_edges : edges;
-  std::vector<PlacedEffect> tries = {placed(*kind.effect, where, setting)};
+  std::vector<EffectInstance> tries = {placed(*kind.effect, where, context)};
   if (is_present(current, tries.front())) return;
-  std::vector<int> inner = inner_patch(where.elements, *setting.deck);
+  std::vector<int> inner = inner_patch(where.elements, *context.deck);
   if (inner != where.elements) {
     where.elements = std::move(inner);
-    tries.push_back(placed(*kind.effect, where, setting));
+    tries.push_back(placed(*kind.effect, where, context));
   }
   take_better(fit_each(current, tries, fitter, kind.log_likelihood(), progress),
               kind);
@@ -224,13 +224,13 @@ void try_forms(std::vector<Kind>& kinds,
                const HypothesisOptions& options,
                const Progress& progress) {
   const double least = least_error(kinds);
-  const effects::Setting& setting = fitter.setting().setting;
+  const effects::TestContext& context = fitter.problem().context;
   for (Kind& kind : kinds) {
-    std::vector<Where> places;
+    std::vector<Location> places;
     const bool rivals = kind.error() <= rival_error * least;
     if (rivals &&
         (!kind.is_joint() || tells(kind.likeliest(), current, fitter))) {
-      places = places_for_forms(kind, *setting.deck);
+      places = places_for_forms(kind, *context.deck);
     }
     if (kind.is_joint()) {
       std::ranges::copy(
@@ -238,10 +238,10 @@ void try_forms(std::vector<Kind>& kinds,
           std::back_inserter(places));
     }
     if (places.empty()) continue;
-    std::vector<PlacedEffect> tries;
-    for (const Where& where : forms_of(*kind.effect, places, setting)) {
+    std::vector<EffectInstance> tries;
+    for (const Location& where : forms_of(*kind.effect, places, context)) {
       if (has_edges(where)) continue;  // of the best that there is, below
-      PlacedEffect next = placed(*kind.effect, where, setting);
+      EffectInstance next = placed(*kind.effect, where, context);
       if (acts(next, *current.model) && !is_present(current, next)) {
         tries.push_back(std::move(next));
       }
@@ -270,7 +270,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
                                        const Fitter& fitter,
                                        const HypothesisOptions& options,
                                        const Progress& progress) {
-  const effects::Setting& setting = fitter.setting().setting;
+  const effects::TestContext& context = fitter.problem().context;
   const std::vector<Screened> screened =
       screen(current, fitter, part_of(progress, 0.0, 0.1));
   // A mistake in some runs is looked for in many more ways than one in all.
@@ -293,7 +293,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   }
   std::vector<Hypothesis> all;
   for (Kind& kind : kinds) {
-    const structure::Deck& deck = *setting.deck;
+    const structure::Deck& deck = *context.deck;
     // A grid that the screening passed over was still a place to look at.
     const double grids =
         kind.at_grids()

@@ -16,7 +16,7 @@ struct Hypothesis {
   /// empty where it was not looked at.
   std::vector<double> place_sd = {};
 
-  [[nodiscard]] const PlacedEffect& own() const { return fit.effects.back(); }
+  [[nodiscard]] const EffectInstance& own() const { return fit.effects.back(); }
 };
 
 }  // namespace tapfit::updating

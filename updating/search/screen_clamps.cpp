@@ -27,12 +27,12 @@ constexpr double scale_step = 0.05;
 
 // By what frequencies are tried: all within two standard deviations of what the
 // uncertain properties and the modes' own scatter make of them.
-std::vector<double> scales(const FitSetting& setting) {
+std::vector<double> scales(const FitProblem& problem) {
   double variance = own_scatter * own_scatter;
   const std::size_t own =
-      setting.uncertain_sd.size() - setting.corrections.size();
+      problem.uncertain_sd.size() - problem.corrections.size();
   for (std::size_t k = 0; k < own; ++k) {
-    variance += std::pow(0.5 * setting.uncertain_sd[k], 2);
+    variance += std::pow(0.5 * problem.uncertain_sd[k], 2);
   }
   const auto most =
       static_cast<int>(std::ceil(2.0 * std::sqrt(variance) / scale_step));
@@ -44,17 +44,17 @@ std::vector<double> scales(const FitSetting& setting) {
 
 // Of a structure that is held what was fitted to it free says little: the
 // properties are the deck's, the damping what was identified.
-ModelState state_held(const Fit& current, const FitSetting& setting) {
+ModelState state_held(const Fit& current, const FitProblem& problem) {
   ModelState state = current.result.state;
   state.factor.assign(state.factor.size(), 1.0);
   state.zeta.resize(0);
-  state.zeta_other = setting.damping_ratio;
+  state.zeta_other = problem.damping_ratio;
   return state;
 }
 
 // What a place holds that the deck does not.
-HeldRows rows_held(const FrfModel& model, const Where& where) {
-  const structure::Deck& deck = *model.setting().deck;
+HeldRows rows_held(const FrfModel& model, const Location& where) {
+  const structure::Deck& deck = *model.context().deck;
   std::vector<Eigen::RowVectorXd> moved;
   std::vector<Eigen::RowVectorXd> turned;
   for (const HeldGrid& grid : newly_held(deck, where)) {
@@ -79,23 +79,23 @@ HeldRows rows_held(const FrfModel& model, const Where& where) {
 std::vector<Screened> screen_clamps(const Fit& current,
                                     const Fitter& fitter,
                                     const Target& target,
-                                    const MisfitScan& misfit,
+                                    const ProjectedMisfit& misfit,
                                     const Eigen::MatrixXcd& now) {
   std::vector<Screened> result;
   for (const effects::Effect* effect : effects::catalogue()) {
     if (effect->changes_stiffness() != ChangeKind::Support) continue;
-    for (const Where& where : fitter.places(*effect)) {
-      PlacedEffect support{effect, where, {}};
+    for (const Location& where : fitter.places(*effect)) {
+      EffectInstance support{effect, where, {}};
       if (!is_held(where) || is_present(current, support)) continue;
       result.push_back({std::move(support)});
     }
   }
   if (result.empty()) return result;
   const FrfModel& model = *current.model;
-  const double top = two_pi * model.setting().high_hz;
-  const ModelState state = state_held(current, fitter.setting());
+  const double top = two_pi * model.context().high_hz;
+  const ModelState state = state_held(current, fitter.problem());
   const BaseModes free = model.base_modes(state);
-  const std::vector<double> tried = scales(fitter.setting());
+  const std::vector<double> tried = scales(fitter.problem());
   for_each_parallel(result.size(), [&](std::size_t k) {
     const BaseModes held =
         modes_held(free, rows_held(model, result[k].placed.where), top);
@@ -113,7 +113,7 @@ std::vector<Screened> screen_clamps(const Fit& current,
 }
 
 std::vector<Screened> promising_clamps(std::vector<Screened> screened,
-                                       const MisfitScan& misfit) {
+                                       const ProjectedMisfit& misfit) {
   const auto all = static_cast<double>(screened.size());
   const double most = worth_it * misfit.unchanged();
   std::erase_if(screened,

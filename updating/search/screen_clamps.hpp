@@ -6,7 +6,7 @@
 #pragma once
 
 #include "updating/fit/fitter.hpp"
-#include "updating/localisation/misfit_scan.hpp"
+#include "updating/localisation/projected_misfit.hpp"
 #include "updating/search/screened.hpp"
 
 #include <Eigen/Core>
@@ -22,12 +22,12 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<Screened> screen_clamps(const Fit& current,
                                                   const Fitter& fitter,
                                                   const Target& target,
-                                                  const MisfitScan& misfit,
+                                                  const ProjectedMisfit& misfit,
                                                   const Eigen::MatrixXcd& now);
 
 /// The two best of them, standing for all, where they leave so much less than
 /// the fit does that they would earn a rung.
 [[nodiscard]] std::vector<Screened> promising_clamps(
-    std::vector<Screened> screened, const MisfitScan& misfit);
+    std::vector<Screened> screened, const ProjectedMisfit& misfit);
 
 }  // namespace tapfit::updating

@@ -21,14 +21,14 @@ constexpr double least_share = 0.5 * (1.0 - worth_it * worth_it);
 // In all runs, or in some. Sizes of a list are one place, as those of a
 // parameter are, which pays for being fitted instead.
 double distinct_places(const effects::Effect& effect,
-                       const std::vector<Where>& places,
+                       const std::vector<Location>& places,
                        bool whole) {
   std::set<std::tuple<std::vector<std::string>,
                       std::vector<int>,
                       std::vector<int>,
                       std::string>>
       known;
-  for (const Where& where : places) {
+  for (const Location& where : places) {
     if (where.runs.empty() != whole) continue;
     const bool sized = !effect.fixed(where).empty();
     known.insert({where.channels,
@@ -42,7 +42,7 @@ double distinct_places(const effects::Effect& effect,
 // Those that are left stand for all places, those in some runs for their
 // like: there are many more of them.
 // @param times how many each of the places is
-void stand_for(const std::vector<Where>& places,
+void stand_for(const std::vector<Location>& places,
                double times,
                std::vector<Screened>& left) {
   if (left.empty()) return;
@@ -60,12 +60,12 @@ void stand_for(const std::vector<Where>& places,
 }
 
 void add_plain(const effects::Effect& effect,
-               const effects::Setting& setting,
+               const effects::TestContext& context,
                const PointScan& scan,
                std::vector<Screened>& result) {
-  const std::vector<Where> places = effect.places(setting);
+  const std::vector<Location> places = effect.places(context);
   std::vector<Screened> each;
-  for (const Where& where : places) {
+  for (const Location& where : places) {
     if (!where.runs.empty() && scan.share(where) < least_share) continue;
     each.push_back({{&effect, where, {}}});
   }
@@ -77,17 +77,17 @@ void add_plain(const effects::Effect& effect,
 }
 
 void add_elsewhere(const effects::Effect& effect,
-                   const effects::Setting& setting,
+                   const effects::TestContext& context,
                    PointScan& scan,
                    std::vector<Screened>& result) {
-  const std::vector<Where> points = effect.places(setting);
+  const std::vector<Location> points = effect.places(context);
   PointScanOptions options;
   options.least_share = least_share;
   std::vector<Screened> each;
   for (const PointElsewhere& there : scan.elsewhere(points, options)) {
     each.push_back({{&effect, there.where, {}}, there.error});
   }
-  const structure::Deck& deck = *setting.deck;
+  const structure::Deck& deck = *context.deck;
   const std::size_t grids = deck.grids.size() - deck.measuring.size();
   stand_for(points, static_cast<double>(grids), each);
   std::ranges::move(each, std::back_inserter(result));
@@ -96,26 +96,26 @@ void add_elsewhere(const effects::Effect& effect,
 }  // namespace
 
 bool is_screened_mistake(const effects::Effect& effect,
-                         const effects::Setting& setting) {
+                         const effects::TestContext& context) {
   if (effect.entry() != effects::Entry::Measurement) return false;
   if (effect.takes_any_grid()) return true;
-  const std::vector<Where> places = effect.places(setting);
-  return !places.empty() && effect.parameters(places.front(), setting).empty();
+  const std::vector<Location> places = effect.places(context);
+  return !places.empty() && effect.parameters(places.front(), context).empty();
 }
 
 std::vector<Screened> screen_mistakes(const Fit& current,
                                       const Target& target,
-                                      const MisfitScan& misfit,
+                                      const ProjectedMisfit& misfit,
                                       const signal::FrfSet& measured) {
-  const effects::Setting& setting = current.model->setting();
+  const effects::TestContext& context = current.model->context();
   PointScan scan(current, target, misfit, measured);
   std::vector<Screened> result;
   for (const effects::Effect* effect : effects::catalogue()) {
-    if (!is_screened_mistake(*effect, setting)) continue;
+    if (!is_screened_mistake(*effect, context)) continue;
     if (effect->takes_any_grid()) {
-      add_elsewhere(*effect, setting, scan, result);
+      add_elsewhere(*effect, context, scan, result);
     } else {
-      add_plain(*effect, setting, scan, result);
+      add_plain(*effect, context, scan, result);
     }
   }
   return result;

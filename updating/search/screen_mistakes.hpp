@@ -2,9 +2,9 @@
 // grid, and faults of the measurement that have no parameters, as they are.
 #pragma once
 
-#include "updating/search/screened.hpp"
 #include "updating/fit/fitter.hpp"
-#include "updating/localisation/misfit_scan.hpp"
+#include "updating/localisation/projected_misfit.hpp"
+#include "updating/search/screened.hpp"
 
 #include <vector>
 
@@ -12,7 +12,7 @@ namespace tapfit::updating {
 
 /// Whether screen_mistakes() looks at an effect.
 [[nodiscard]] bool is_screened_mistake(const effects::Effect& effect,
-                                       const effects::Setting& setting);
+                                       const effects::TestContext& context);
 
 /// Those in some runs only are left out where their FRFs have too little of the
 /// misfit to be worth a rung.
@@ -24,7 +24,7 @@ namespace tapfit::updating {
 [[nodiscard]] std::vector<Screened> screen_mistakes(
     const Fit& current,
     const Target& target,
-    const MisfitScan& misfit,
+    const ProjectedMisfit& misfit,
     const signal::FrfSet& measured);
 
 }  // namespace tapfit::updating

@@ -1,7 +1,7 @@
 // What the screening finds.
 #pragma once
 
-#include "updating/effects/placed_effect.hpp"
+#include "updating/effects/effect_instance.hpp"
 
 namespace tapfit::updating {
 
@@ -12,7 +12,7 @@ inline constexpr double worth_it = 0.85;
 
 /// A hypothesis and what the screening thinks of it.
 struct Screened {
-  PlacedEffect placed;
+  EffectInstance placed;
   double error = 0.0;  ///< relative FRF error it would leave
   /// What the best law of frequency at its grid would leave, nothing
   /// readjusting; 0: not worked out.

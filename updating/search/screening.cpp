@@ -4,9 +4,9 @@
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/preload.hpp"
-#include "updating/localisation/misfit_scan.hpp"
-#include "updating/localisation/place_rows.hpp"
-#include "updating/localisation/place_scan.hpp"
+#include "updating/localisation/location_operators.hpp"
+#include "updating/localisation/location_scan.hpp"
+#include "updating/localisation/projected_misfit.hpp"
 #include "updating/places/element_cells.hpp"
 #include "updating/search/screen_clamps.hpp"
 #include "updating/search/screen_mistakes.hpp"
@@ -35,13 +35,13 @@ constexpr std::size_t grids_in_detail = 12;
 struct Places {
   // What may sit at one grid and moves along one axis there.
   struct Kinds {
-    std::vector<PlacedEffect> simple;
-    std::vector<PlacedEffect> detailed;  // several parameters
+    std::vector<EffectInstance> simple;
+    std::vector<EffectInstance> detailed;  // several parameters
   };
   std::vector<Kinds> points;  // one for each of the grids scanned
   struct Wide {
     const effects::Effect* effect = nullptr;
-    Where where;
+    Location where;
   };
   std::vector<Wide> wide;  // of the sums scanned
   ScannedPlaces scanned;
@@ -50,33 +50,35 @@ struct Places {
 // The axes along which a point effect is felt: a directed one along its own,
 // others along all that were tested, of which one tells most.
 std::vector<int> felt_along(const effects::Effect& effect,
-                            const Where& where,
-                            const effects::Setting& setting) {
+                            const Location& where,
+                            const effects::TestContext& context) {
   const bool directed = effect.sits() == effects::Sits::AlongAxis;
-  if (directed || setting.components.empty()) {
-    return {effects::component_of(where, setting)};
+  if (directed || context.components.empty()) {
+    return {effects::component_of(where, context)};
   }
-  return setting.components;
+  return context.components;
 }
 
 // Takes the point effects, each with the others that may sit where it may.
-void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
-  const effects::Setting& setting = fitter.setting().setting;
+void add_points(const Fitter& fitter,
+                const LocationOperators& source,
+                Places& places) {
+  const effects::TestContext& context = fitter.problem().context;
   std::map<std::pair<int, int>, std::size_t> known;  // grid and axis
   for (const effects::Effect* effect : effects::catalogue()) {
     if (!effect->sits_at_grid()) continue;
-    for (const Where& where : fitter.places(*effect)) {
-      for (const int along : felt_along(*effect, where, setting)) {
+    for (const Location& where : fitter.places(*effect)) {
+      for (const int along : felt_along(*effect, where, context)) {
         MatrixXd row = source.grid(where.node, along);
         // A plane model does not move out of its plane.
-        if (along != setting.component && row.isZero(0.0)) continue;
+        if (along != context.component && row.isZero(0.0)) continue;
         const auto [it, fresh] =
             known.try_emplace({where.node, along}, places.points.size());
         if (fresh) {
           places.points.emplace_back();
           places.scanned.grids.push_back(std::move(row));
         }
-        const bool single = effect->parameters(where, setting).size() == 1;
+        const bool single = effect->parameters(where, context).size() == 1;
         Places::Kinds& kinds = places.points[it->second];
         (single ? kinds.simple : kinds.detailed).push_back({effect, where, {}});
       }
@@ -86,15 +88,15 @@ void add_points(const Fitter& fitter, const PlaceRows& source, Places& places) {
 
 void add_losses(const effects::Effect& effect,
                 const Fitter& fitter,
-                PlaceRows& source,
+                LocationOperators& source,
                 Places& places) {
   std::map<int, std::size_t> at;  // first element of a cell -> its rows
   for (const ElementCell& cell :
-       element_cells(*fitter.setting().setting.deck)) {
+       element_cells(*fitter.problem().context.deck)) {
     at[cell.elements.front()] = places.scanned.parts.size();
     places.scanned.parts.push_back(source.cell(cell));
   }
-  for (const Where& where : fitter.places(effect)) {
+  for (const Location& where : fitter.places(effect)) {
     std::vector<std::size_t> sum;
     for (const int id : where.elements) {
       const auto cell = at.find(id);
@@ -107,10 +109,10 @@ void add_losses(const effects::Effect& effect,
 
 void add_preloads(const effects::Effect& effect,
                   const Fitter& fitter,
-                  PlaceRows& source,
+                  LocationOperators& source,
                   Places& places) {
   std::map<std::pair<std::vector<int>, bool>, std::size_t> known;
-  for (const Where& where : fitter.places(effect)) {
+  for (const Location& where : fitter.places(effect)) {
     // What is pulled and pushed there is felt by the same rows.
     const bool across = where.variant.starts_with("across");
     const auto [it, fresh] = known.try_emplace({where.elements, across},
@@ -123,7 +125,7 @@ void add_preloads(const effects::Effect& effect,
 }
 
 Places all_places(const FrfModel& model, const Fitter& fitter) {
-  PlaceRows source(model);
+  LocationOperators source(model);
   Places places;
   add_points(fitter, source, places);
   for (const effects::Effect* effect : effects::catalogue()) {
@@ -135,7 +137,7 @@ Places all_places(const FrfModel& model, const Fitter& fitter) {
       add_preloads(*effect, fitter, source, places);
     }
     if (change != ChangeKind::Joint) continue;
-    for (const Where& where : fitter.places(*effect)) {
+    for (const Location& where : fitter.places(*effect)) {
       MatrixXd rows = source.joint(where);
       if (rows.rows() == 0) continue;
       places.wide.push_back({effect, where});
@@ -202,12 +204,12 @@ class Screening {
  public:
   /// @param current its model may be asked about any grid
   Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
-      : setting_(fitter.setting().setting),
+      : context_(fitter.problem().context),
         fitter_(&fitter),
         current_(&current),
-        measured_(&fitter.setting().measured),
+        measured_(&fitter.problem().measured),
         // The widest line: the most forgiving about shifts.
-        target_(&fitter.setting().targets.front()),
+        target_(&fitter.problem().targets.front()),
         places_(all_places(*current.model, fitter)),
         scan_(current, *target_),
         place_scan_(current, *target_, scan_, places_.scanned, progress),
@@ -244,14 +246,14 @@ class Screening {
         result[k] = preloaded(k);
         continue;
       }
-      const MisfitScan::Scaled best = place_scan_.scaled(k);
+      const ProjectedMisfit::Scaled best = place_scan_.scaled(k);
       const double factor = std::max(best.factor, 1e-12);
       // A joint's stiffness is the inverse of its compliance; elements in a
       // row add compliance, 1 / factor - 1.
       const bool loss =
           place.effect->changes_stiffness() == ChangeKind::Elements;
       const double p = loss ? 1.0 / (1.0 + factor) : 1.0 / factor;
-      result[k] = {PlacedEffect{place.effect, place.where, {p}}, best.error};
+      result[k] = {EffectInstance{place.effect, place.where, {p}}, best.error};
     }
     return result;
   }
@@ -268,22 +270,22 @@ class Screening {
   // Effects at few places, which the model as it is can respond to: those of
   // sensors and channels. Every size is worked out, none estimated.
   [[nodiscard]] std::vector<Screened> few() const {
-    std::vector<PlacedEffect> candidates;
+    std::vector<EffectInstance> candidates;
     for (const effects::Effect* effect : effects::catalogue()) {
       if (effect->changes_stiffness() ||
           effect->entry() == effects::Entry::Damping ||
-          effect->sits_at_grid() || is_screened_mistake(*effect, setting_)) {
+          effect->sits_at_grid() || is_screened_mistake(*effect, context_)) {
         continue;
       }
-      for (const Where& place : fitter_->places(*effect)) {
+      for (const Location& place : fitter_->places(*effect)) {
         candidates.push_back({effect, place, {}});
       }
     }
     std::vector<Screened> result(candidates.size());
     for_each_parallel(candidates.size(), [&](std::size_t k) {
-      const PlacedEffect& candidate = candidates[k];
+      const EffectInstance& candidate = candidates[k];
       result[k] = scanned(
-          candidate.effect->parameters(candidate.where, setting_),
+          candidate.effect->parameters(candidate.where, context_),
           [&](const auto& tried) { return best_response(candidate, tried); });
     });
     return result;
@@ -294,11 +296,11 @@ class Screening {
   [[nodiscard]] Screened preloaded(std::size_t k) const {
     const Places::Wide& place = places_.wide[k];
     const double sign = effects::is_compression(place.where) ? 1.0 : -1.0;
-    const MisfitScan::Scaled best = place_scan_.scaled(k, sign);
-    PlacedEffect found = placed(*place.effect, place.where, setting_);
+    const ProjectedMisfit::Scaled best = place_scan_.scaled(k, sign);
+    EffectInstance found = placed(*place.effect, place.where, context_);
     found.p[0] = std::max(best.factor, 1e-12);
     const auto member =
-        effects::member_at(*setting_.deck, place.where.elements, place.where);
+        effects::member_at(*context_.deck, place.where.elements, place.where);
     if (found.p.size() > 1) found.p[1] = found.p[0] / member->length;
     return {std::move(found), best.error};
   }
@@ -306,14 +308,14 @@ class Screening {
   // What may sit at some of the points.
   [[nodiscard]] std::vector<Screened> at_points(
       const std::vector<std::size_t>& points,
-      std::vector<PlacedEffect> Places::Kinds::*kinds) const {
+      std::vector<EffectInstance> Places::Kinds::*kinds) const {
     std::vector<std::vector<Screened>> each(points.size());
     for_each_parallel(points.size(), [&](std::size_t k) {
       const std::size_t b = points[k];
       const double any_law = place_scan_.any_law(b);
-      for (const PlacedEffect& effect : places_.points[b].*kinds) {
+      for (const EffectInstance& effect : places_.points[b].*kinds) {
         each[k].push_back(scanned(
-            effect.effect->parameters(effect.where, setting_),
+            effect.effect->parameters(effect.where, context_),
             [&](const auto& tried) { return best_at_grid(b, effect, tried); }));
         each[k].back().any_law = any_law;
       }
@@ -328,7 +330,7 @@ class Screening {
   // The best of several sizes of an effect at a grid.
   [[nodiscard]] Screened best_at_grid(
       std::size_t b,
-      const PlacedEffect& effect,
+      const EffectInstance& effect,
       const std::vector<std::vector<double>>& tried) const {
     MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
     for (std::size_t k = 0; k < tried.size(); ++k) {
@@ -342,7 +344,7 @@ class Screening {
 
   // The same for an effect that the model itself can respond to.
   [[nodiscard]] Screened best_response(
-      const PlacedEffect& candidate,
+      const EffectInstance& candidate,
       const std::vector<std::vector<double>>& tried) const {
     ModelState state = current_->result.state;
     state.effects.push_back(candidate);
@@ -354,7 +356,7 @@ class Screening {
     return best_of(candidate, tried, scan_.errors(changes));
   }
 
-  [[nodiscard]] Screened best_of(PlacedEffect candidate,
+  [[nodiscard]] Screened best_of(EffectInstance candidate,
                                  const std::vector<std::vector<double>>& tried,
                                  const VectorXd& errors) const {
     Index at = 0;
@@ -363,14 +365,14 @@ class Screening {
     return {std::move(candidate), least};
   }
 
-  const effects::Setting& setting_;
+  const effects::TestContext& context_;
   const Fitter* fitter_;
   const Fit* current_;
   const signal::FrfSet* measured_;
   const Target* target_;
   Places places_;
-  MisfitScan scan_;
-  PlaceScan place_scan_;
+  ProjectedMisfit scan_;
+  LocationScan place_scan_;
   MatrixXcd now_;  // the model's FRFs as it is
 };
 

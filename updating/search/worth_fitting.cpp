@@ -14,19 +14,19 @@ namespace {
 
 constexpr std::size_t few_places = 8;
 
-bool has_form(const PlacedEffect& placed) {
+bool has_form(const EffectInstance& placed) {
   const std::vector<std::string> forms = placed.effect->forms();
   return std::ranges::find(forms, placed.where.variant) != forms.end();
 }
 
 // At the same grid, but for being between it and the next.
-bool is_beside(const Where& one, const Where& other) {
+bool is_beside(const Location& one, const Location& other) {
   return is_at_grid(one) && one.node == other.node &&
          one.variant == other.variant && one.at != other.at;
 }
 
 // A point of the sheet is put right once.
-bool is_same_point(const Where& one, const Where& other) {
+bool is_same_point(const Location& one, const Location& other) {
   return share(one.channels, other.channels) &&
          (one.nodes.empty() || other.nodes.empty() ||
           one.nodes == other.nodes) &&
@@ -36,9 +36,9 @@ bool is_same_point(const Where& one, const Where& other) {
 
 }  // namespace
 
-bool is_present(const Fit& current, const PlacedEffect& candidate) {
-  const Where& there = candidate.where;
-  return std::ranges::any_of(current.effects, [&](const PlacedEffect& e) {
+bool is_present(const Fit& current, const EffectInstance& candidate) {
+  const Location& there = candidate.where;
+  return std::ranges::any_of(current.effects, [&](const EffectInstance& e) {
     if (e.effect != candidate.effect) return false;
     const bool formed = has_form(e) || has_form(candidate);
     if (e.effect->at_sheet_points()) return is_same_point(e.where, there);
@@ -54,19 +54,18 @@ namespace {
 
 // What is worth a full fit of one kind: its best screened places, apart from
 // each other where a climb goes on from them, or all where it is not screened.
-std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
-                                        const Fit& current,
-                                        const std::vector<Screened>& screened,
-                                        const Fitter& fitter,
-                                        const HypothesisOptions& options) {
-  const effects::Setting& setting = fitter.setting().setting;
-  std::vector<PlacedEffect> tries;
+std::vector<EffectInstance> worth_fitting(const effects::Effect& effect,
+                                          const Fit& current,
+                                          const std::vector<Screened>& screened,
+                                          const Fitter& fitter,
+                                          const HypothesisOptions& options) {
+  const effects::TestContext& context = fitter.problem().context;
+  std::vector<EffectInstance> tries;
   // Sensors and channels are few and each differs from the others. Their
   // screening is exact but for what the rest may give way. They share a base;
   // what changes the stiffness takes one each, and all are looked at once.
-  const bool few =
-      fitter.places(effect).size() <= few_places &&
-      (options.places_per_kind > 1 || !effect.changes_stiffness());
+  const bool few = fitter.places(effect).size() <= few_places &&
+                   (options.places_per_kind > 1 || !effect.changes_stiffness());
   const int most_places =
       effect.changes_stiffness() == ChangeKind::Joint
           ? std::max(options.places_per_kind, options.joints)
@@ -77,14 +76,14 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
     const bool climbs = !effect.at_sheet_points() && !support;
     const bool known =
         !few && climbs && options.neighbours > 0 &&
-        std::ranges::any_of(tries, [&](const PlacedEffect& other) {
+        std::ranges::any_of(tries, [&](const EffectInstance& other) {
           return within_reach(other.where,
                               s.placed.where,
                               fitter.places(effect),
-                              *setting.deck,
+                              *context.deck,
                               options.neighbours);
         });
-    const bool twice = std::ranges::any_of(tries, [&](const PlacedEffect& p) {
+    const bool twice = std::ranges::any_of(tries, [&](const EffectInstance& p) {
       return p.where == s.placed.where;
     });
     return !known && !twice && !is_present(current, s.placed);
@@ -117,9 +116,9 @@ std::vector<PlacedEffect> worth_fitting(const effects::Effect& effect,
   // A support that the structure has not is no small thing, and takes a base of
   // its own for each of its forms: looked for where all is looked at.
   if (support && options.places_per_kind <= 1) return tries;
-  for (const Where& where : fitter.places(effect)) {
+  for (const Location& where : fitter.places(effect)) {
     if (support && is_held(where)) continue;  // screened
-    const PlacedEffect p = placed(effect, where, setting);
+    const EffectInstance p = placed(effect, where, context);
     if (!is_present(current, p)) tries.push_back(p);
   }
   return tries;
@@ -141,7 +140,7 @@ std::vector<Planned> planned_fits(const Fit& current,
     const Fit* known = options.known;
     if (known != nullptr && known->effects.back().effect == effect) {
       plan.known = known;
-      std::erase_if(plan.tries, [known](const PlacedEffect& e) {
+      std::erase_if(plan.tries, [known](const EffectInstance& e) {
         return e.where == known->effects.back().where;
       });
     }

@@ -32,7 +32,7 @@ struct HypothesisOptions {
 /// What is worth a full fit of one kind.
 struct Planned {
   const effects::Effect* effect = nullptr;
-  std::vector<PlacedEffect> tries;
+  std::vector<EffectInstance> tries;
   const Fit* known = nullptr;  ///< one of them, fitted already
   /// One base for all; a change of the stiffness needs one of its own.
   std::shared_ptr<const FrfModel> shared;
@@ -41,7 +41,7 @@ struct Planned {
 /// Whether a fit has an effect already: the same again, another loss of the
 /// same elements, or a form of the same.
 [[nodiscard]] bool is_present(const Fit& current,
-                              const PlacedEffect& candidate);
+                              const EffectInstance& candidate);
 
 /// @param screened the least error first
 [[nodiscard]] std::vector<Planned> planned_fits(

@@ -113,7 +113,7 @@ void add(const EffectHistory& history,
     if (!added.on || taken++ >= effects) continue;
     add(added.ref, digest);
   }
-  for (const KeptFit& fit : history.kept) {
+  for (const EarlyStoppedFit& fit : history.kept) {
     if (fit.effects.size() > effects) continue;
     digest.add("fit ended by hand");
     for (const EffectRef& effect : fit.effects) add(effect, digest);

@@ -3,7 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/catalogue/effect_place.hpp"
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"
 
@@ -16,7 +16,7 @@
 namespace tapfit::updating {
 namespace {
 
-bool same_place(const PlacedEffect& a, const PlacedEffect& b) {
+bool same_place(const EffectInstance& a, const EffectInstance& b) {
   return a.effect == b.effect && a.where == b.where;
 }
 
@@ -38,23 +38,23 @@ Fit judged(Fit fit, const Fit& before) {
   return fit;
 }
 
-std::vector<EffectRef> refs_of(const std::vector<PlacedEffect>& effects) {
+std::vector<EffectRef> refs_of(const std::vector<EffectInstance>& effects) {
   std::vector<EffectRef> refs;
-  for (const PlacedEffect& e : effects) {
+  for (const EffectInstance& e : effects) {
     refs.push_back({e.effect->name(), e.where});
   }
   return refs;
 }
 
 /// To its end, or to where it was kept.
-Fit fit_of(const std::vector<PlacedEffect>& effects,
+Fit fit_of(const std::vector<EffectInstance>& effects,
            const Fit& before,
-           std::vector<KeptFit>& kept,
+           std::vector<EarlyStoppedFit>& kept,
            const StackFit& how,
            const Progress& progress) {
   const std::vector<EffectRef> refs = refs_of(effects);
-  const auto known = std::ranges::find(kept, refs, &KeptFit::effects);
-  Fit fit = fit_kept(
+  const auto known = std::ranges::find(kept, refs, &EarlyStoppedFit::effects);
+  Fit fit = fit_until_stopped(
       [&](const Progress& watched) {
         return how.fit(effects, before, watched);
       },
@@ -68,7 +68,8 @@ Fit fit_of(const std::vector<PlacedEffect>& effects,
 }
 
 /// Whether that fit is one of those that lead to these effects.
-bool leads_to(const KeptFit& fit, const EffectHistory::Effects& effects) {
+bool leads_to(const EarlyStoppedFit& fit,
+              const EffectHistory::Effects& effects) {
   std::vector<EffectRef> on;
   for (const AddedEffect& added : effects) {
     if (added.on) on.push_back(added.ref);
@@ -79,7 +80,7 @@ bool leads_to(const KeptFit& fit, const EffectHistory::Effects& effects) {
 
 /// The effect with the whole place it acts at.
 EffectRef whole_of(const EffectRef& effect, const StackFit& how) {
-  const PlacedEffect placed = place_effect(effect, how.setting);
+  const EffectInstance placed = place_effect(effect, how.context);
   return {placed.effect->name(), placed.where};
 }
 
@@ -105,9 +106,9 @@ std::string stem_of(const effects::ParameterSpec& parameter) {
 /// the other does, or part of it: they would share a size in any way.
 bool overlap(const EffectRef& a,
              const EffectRef& b,
-             const effects::Setting& setting) {
+             const effects::TestContext& context) {
   if (a.effect != b.effect || a.where.variant == b.where.variant) return false;
-  Where there = b.where;
+  Location there = b.where;
   there.variant = a.where.variant;
   if (there != a.where) return false;
   const effects::Effect& effect = effects::find(a.effect);
@@ -116,8 +117,8 @@ bool overlap(const EffectRef& a,
     return form == a.where.variant || form == b.where.variant;
   });
   if (plain) return false;
-  const auto ours = effect.parameters(a.where, setting);
-  const auto theirs = effect.parameters(b.where, setting);
+  const auto ours = effect.parameters(a.where, context);
+  const auto theirs = effect.parameters(b.where, context);
   return std::ranges::any_of(ours, [&theirs](const auto& own) {
     return std::ranges::find(theirs, stem_of(own), stem_of) != theirs.end();
   });
@@ -129,7 +130,7 @@ bool overlap(const EffectRef& a,
 void refuse_conflict(const std::vector<EffectRef>& added, const StackFit& how) {
   const EffectRef& last = added.back();
   for (const EffectRef& other : std::span(added).first(added.size() - 1)) {
-    if (other != last && !overlap(other, last, how.setting)) continue;
+    if (other != last && !overlap(other, last, how.context)) continue;
     throw InputError(
         other == last ? "the effect is there twice"
                       : "two forms of one effect exclude each other",
@@ -148,7 +149,7 @@ void refuse_overlap(const EffectHistory::Effects& effects,
                     const StackFit& how) {
   const EffectRef& ref = effects[own].ref;
   for (const AddedEffect& known : effects) {
-    if (!known.on || !overlap(ref, known.ref, how.setting)) continue;
+    if (!known.on || !overlap(ref, known.ref, how.context)) continue;
     throw InputError(
         "another form of the effect is in the model already",
         fmt::format("{} at {}", ref.effect, describe(ref.where)),
@@ -192,17 +193,18 @@ void EffectStack::fit_uncertain(const StackFit& how, const Progress& progress) {
 }
 
 // Fits that stay true are kept: up to the first effect that differs.
-std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
-                                       std::vector<KeptFit>& kept,
-                                       const StackFit& how,
-                                       const Progress& progress) const {
+std::vector<Fit> EffectStack::fits_for(
+    const std::vector<EffectInstance>& wanted,
+    std::vector<EarlyStoppedFit>& kept,
+    const StackFit& how,
+    const Progress& progress) const {
   std::vector<Fit> fits = {fits_.front()};
   if (wanted.empty()) return fits;
   // What is uncertain, then the effects.
   const auto part = [&](std::size_t k) {
     const auto begin = static_cast<double>(k);
     const auto count = static_cast<double>(wanted.size() + 1);
-    return watched_part(progress, begin / count, (begin + 1.0) / count);
+    return observed_part(progress, begin / count, (begin + 1.0) / count);
   };
   const bool fitted = fits_.size() > 1 && fits_[1].effects.empty();
   const std::size_t first_effect = fitted ? 2 : 1;
@@ -212,7 +214,7 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
     fits.push_back(fit_of({}, fits.front(), kept, how, part(0)));
   }
   bool same = true;
-  std::vector<PlacedEffect> so_far;
+  std::vector<EffectInstance> so_far;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const std::size_t at = first_effect + k;
     same = same && at < fits_.size() && fits_[at].effects.size() == k + 1 &&
@@ -229,22 +231,22 @@ std::vector<Fit> EffectStack::fits_for(const std::vector<PlacedEffect>& wanted,
 }
 
 void EffectStack::change_to(const Effects& effects,
-                            std::vector<KeptFit> kept,
+                            std::vector<EarlyStoppedFit> kept,
                             const StackFit& how,
                             const Progress& progress) {
-  std::vector<PlacedEffect> on;
+  std::vector<EffectInstance> on;
   for (const AddedEffect& added : effects) {
     if (!added.on) continue;
-    on.push_back(place_effect(added.ref, how.setting));
+    on.push_back(place_effect(added.ref, how.context));
   }
   fits_ = fits_for(on, kept, how, progress);
   history_.now = effects;
   history_.kept = std::move(kept);
 }
 
-std::vector<KeptFit> EffectStack::still_kept() const {
-  std::vector<KeptFit> kept = history_.kept;
-  std::erase_if(kept, [this](const KeptFit& fit) {
+std::vector<EarlyStoppedFit> EffectStack::still_kept() const {
+  std::vector<EarlyStoppedFit> kept = history_.kept;
+  std::erase_if(kept, [this](const EarlyStoppedFit& fit) {
     const auto holds = [&fit](const Effects& e) { return leads_to(fit, e); };
     return !holds(history_.now) && std::ranges::none_of(history_.past, holds);
   });

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "updating/effects/effect_ref.hpp"
+#include "updating/fit/early_stopped_fit.hpp"
 #include "updating/fit/fitter.hpp"
-#include "updating/fit/kept_fit.hpp"
 #include "updating/session/added_effect.hpp"
 
 #include <functional>
@@ -14,11 +14,11 @@ namespace tapfit::updating {
 
 /// How the effects of a stack are placed and fitted.
 struct StackFit {
-  effects::Setting setting;
+  effects::TestContext context;
   /// Fit of these effects with everything else that is uncertain, after the fit
   /// of those before the last.
   std::function<Fit(
-      const std::vector<PlacedEffect>&, const Fit& before, const Progress&)>
+      const std::vector<EffectInstance>&, const Fit& before, const Progress&)>
       fit;
 };
 
@@ -30,7 +30,7 @@ struct EffectHistory {
   std::vector<Effects> past;  ///< what an undo goes back to, the next one last
   std::vector<Effects> future;  ///< what a redo goes on to, the next one last
   /// Fits of any of these that were ended by hand; made again, they end there.
-  std::vector<KeptFit> kept = {};
+  std::vector<EarlyStoppedFit> kept = {};
 };
 
 /// Fits of the base model with ever more of the effects. A change that fails
@@ -88,16 +88,16 @@ class EffectStack {
 
   /// @param kept fits that end early; those newly ended are put in
   void change_to(const Effects& effects,
-                 std::vector<KeptFit> kept,
+                 std::vector<EarlyStoppedFit> kept,
                  const StackFit& how,
                  const Progress& progress);
   [[nodiscard]] std::vector<Fit> fits_for(
-      const std::vector<PlacedEffect>& wanted,
-      std::vector<KeptFit>& kept,
+      const std::vector<EffectInstance>& wanted,
+      std::vector<EarlyStoppedFit>& kept,
       const StackFit& how,
       const Progress& progress) const;
   /// Kept fits that an undo can lead to, or that are in the model.
-  [[nodiscard]] std::vector<KeptFit> still_kept() const;
+  [[nodiscard]] std::vector<EarlyStoppedFit> still_kept() const;
 
   bool uncertain_;
   EffectHistory history_;

@@ -53,7 +53,7 @@ const json& list_in(const json& value, const char* name) {
   throw std::out_of_range(fmt::format("\"{}\" is no list in brackets", name));
 }
 
-json to_json(const Where& where) {
+json to_json(const Location& where) {
   json result = json::object();
   if (where.node != 0) result["node"] = where.node;
   if (!where.nodes.empty()) result["nodes"] = where.nodes;
@@ -65,8 +65,8 @@ json to_json(const Where& where) {
   return result;
 }
 
-Where where_in(const json& value) {
-  Where where;
+Location where_in(const json& value) {
+  Location where;
   where.node = value.value("node", 0);
   where.nodes = value.value("nodes", std::vector<int>{});
   where.elements = value.value("elements", std::vector<int>{});
@@ -80,7 +80,7 @@ Where where_in(const json& value) {
   return where;
 }
 
-Where where_from(const json& value) {
+Location where_from(const json& value) {
   check_fields(
       value,
       "\"where\"",
@@ -142,7 +142,7 @@ EffectChange change_from(const json& value) {
   return {{}, static_cast<std::size_t>(number - 1)};
 }
 
-json to_json(const KeptFit& fit) {
+json to_json(const EarlyStoppedFit& fit) {
   json effects = json::array();
   for (const EffectRef& effect : fit.effects) {
     effects.push_back(
@@ -151,9 +151,9 @@ json to_json(const KeptFit& fit) {
   return {{"effects", effects}, {"steps", fit.steps}};
 }
 
-KeptFit kept_from(const json& value) {
+EarlyStoppedFit kept_from(const json& value) {
   check_fields(value, "a kept fit", {"effects", "steps"});
-  KeptFit fit;
+  EarlyStoppedFit fit;
   for (const json& effect : list_in(value, "effects")) {
     check_fields(effect, "an effect", {"effect", "where"});
     fit.effects.push_back({effect.at("effect"),
@@ -356,7 +356,7 @@ std::string as_text(const SavedSession& session) {
   for (const EffectChange& change : session.undone) {
     value["undone"].push_back(to_json(change));
   }
-  for (const KeptFit& fit : session.kept) {
+  for (const EarlyStoppedFit& fit : session.kept) {
     value["kept_fits"].push_back(to_json(fit));
   }
   for (const SavedRung& rung : session.ladder) {

@@ -5,7 +5,7 @@
 
 #include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/fit/kept_fit.hpp"
+#include "updating/fit/early_stopped_fit.hpp"
 #include "updating/fit/rung.hpp"
 #include "updating/measurement/mode_choices.hpp"
 #include "updating/measurement/overruled_hit.hpp"
@@ -30,9 +30,9 @@ struct SavedSession {
   std::vector<OverruledHit> restored = {};  ///< as HitActs::undone
   ModeChoices modes;
   std::vector<AddedEffect> effects;
-  std::vector<EffectChange> undone = {};  ///< for a redo, the next one last
-  std::vector<KeptFit> kept = {};         ///< fits that were ended by hand
-  std::vector<SavedRung> ladder;          ///< what came out when it was saved
+  std::vector<EffectChange> undone = {};   ///< for a redo, the next one last
+  std::vector<EarlyStoppedFit> kept = {};  ///< fits that were ended by hand
+  std::vector<SavedRung> ladder;           ///< what came out when it was saved
 
   /// Whether nothing was done that could be lost.
   [[nodiscard]] bool empty() const {

@@ -123,9 +123,9 @@ Prediction Session::predict(const std::vector<StatedChange>& changes,
                         progress);
 }
 
-std::vector<GridShare> Session::signature_map(const Progress& progress) {
+std::vector<GridShare> Session::localisation_map(const Progress& progress) {
   stages_->prepare_fit(progress);
-  return updating::signature_map(
+  return updating::localisation_map(
       stages_->current(), stages_->ground->fitter->target(), progress);
 }
 
@@ -238,7 +238,7 @@ std::vector<UpdateRecord> Session::update_records(const Progress& progress) {
   stages_->prepare_fit(progress);
   return records_of(
       stages_->stack->fits(),
-      stages_->setting(),
+      stages_->context(),
       stages_->ground->properties,
       stages_->plain ? stages_->plain->lines : stages_->ground->contour);
 }
@@ -250,7 +250,7 @@ std::vector<std::string> Session::model_warnings(const Progress& progress) {
   warnings.push_back(base_error_warning(stages_->model->builder.error()));
   std::erase(warnings, "");
   if (bundle().modes) {
-    std::ranges::copy(stages_->ground->fitter->setting().measured.statements,
+    std::ranges::copy(stages_->ground->fitter->problem().measured.statements,
                       std::back_inserter(warnings));
   }
   return warnings;
@@ -264,7 +264,7 @@ double Session::base_error(const Progress& progress) {
 const std::vector<Rung>& Session::ladder(const Progress& progress) {
   stages_->prepare_fit(progress);
   if (stages_->ladder.empty()) {
-    stages_->ladder = rungs_of(stages_->stack->fits(), stages_->setting());
+    stages_->ladder = rungs_of(stages_->stack->fits(), stages_->context());
   }
   return stages_->ladder;
 }
@@ -272,7 +272,7 @@ const std::vector<Rung>& Session::ladder(const Progress& progress) {
 std::vector<Estimate> Session::model_parameters(const Progress& progress) {
   stages_->prepare_fit(progress);
   return all_estimates(
-      stages_->current(), stages_->ground->properties, stages_->setting());
+      stages_->current(), stages_->ground->properties, stages_->context());
 }
 
 std::vector<ModelForm> Session::model_form(const Progress& progress) {

@@ -23,8 +23,8 @@
 #include "updating/fit/rung.hpp"
 #include "updating/fit/update_choice.hpp"
 #include "updating/fit/update_record.hpp"
+#include "updating/localisation/localisation_map.hpp"
 #include "updating/localisation/signature.hpp"
-#include "updating/localisation/signature_map.hpp"
 #include "updating/measurement/mode_choices.hpp"
 #include "updating/prediction/prediction.hpp"
 #include "updating/prediction/stated_change.hpp"
@@ -89,7 +89,7 @@ class Session {
   Prediction predict(const std::vector<StatedChange>& changes,
                      const Progress& progress = {});
   /// How well each grid explains what is missing, the best first.
-  std::vector<GridShare> signature_map(const Progress& progress = {});
+  std::vector<GridShare> localisation_map(const Progress& progress = {});
 
   /// Accept or reject a hit by hand; FRFs and all after are made anew, with
   /// the same effects.

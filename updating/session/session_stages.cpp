@@ -16,8 +16,8 @@ const structure::Deck& SessionStages::read_model(const Progress& progress) {
   return *deck;
 }
 
-effects::Setting SessionStages::setting() const {
-  effects::Setting s;
+effects::TestContext SessionStages::context() const {
+  effects::TestContext s;
   s.bundle = &test.bundle();
   s.deck = &*deck;
   s.mass_kg = model->builder.mass_kg();
@@ -41,14 +41,14 @@ void SessionStages::prepare_fit(const Progress& progress) {
 }
 
 MeasuredTest SessionStages::measured() {
-  return {setting(), test, test.modes({})};
+  return {context(), test, test.modes({})};
 }
 
 StackFit SessionStages::stack_fit() {
-  return {setting(), std::bind_front(&SessionStages::fit_now, this)};
+  return {context(), std::bind_front(&SessionStages::fit_now, this)};
 }
 
-Fit SessionStages::fit_now(const std::vector<PlacedEffect>& effects,
+Fit SessionStages::fit_now(const std::vector<EffectInstance>& effects,
                            const Fit& before,
                            const Progress& progress) {
   const Fitter& fitter = *ground->fitter;

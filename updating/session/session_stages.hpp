@@ -5,7 +5,7 @@
 
 #include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/fit/fit_ground.hpp"
+#include "updating/fit/fit_context.hpp"
 #include "updating/fit/plain_fit.hpp"
 #include "updating/fit/rung.hpp"
 #include "updating/measurement/measurement.hpp"
@@ -25,7 +25,7 @@ struct SessionStages {
   Measurement test;
   std::optional<structure::Deck> deck;
   std::optional<SolvedModel> model;
-  std::optional<FitGround> ground;  ///< and with it the stack
+  std::optional<FitContext> ground;  ///< and with it the stack
   std::optional<EffectStack> stack;
   std::vector<ModeChoices> past_choices;
   std::vector<ModeChoices> future_choices;
@@ -54,7 +54,7 @@ struct SessionStages {
                     const Progress& progress);
 
   // Of what prepare_fit() has made.
-  [[nodiscard]] effects::Setting setting() const;
+  [[nodiscard]] effects::TestContext context() const;
   [[nodiscard]] MeasuredTest measured();
   [[nodiscard]] StackFit stack_fit();
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
@@ -64,7 +64,7 @@ struct SessionStages {
 
  private:
   void stack_waiting(const Progress& progress);
-  [[nodiscard]] Fit fit_now(const std::vector<PlacedEffect>& effects,
+  [[nodiscard]] Fit fit_now(const std::vector<EffectInstance>& effects,
                             const Fit& before,
                             const Progress& progress);
 };

@@ -23,8 +23,8 @@ class ChannelDelay final : public Effect {
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}
 
-  std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result = channel_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    std::vector<Location> result = channel_places(context);
     const std::size_t late = result.size();
     for (std::size_t k = 0; k < late; ++k) {
       result.push_back(result[k]);
@@ -34,14 +34,14 @@ class ChannelDelay final : public Effect {
   }
 
   // An early sensor turns the phase as a late hammer does.
-  std::size_t passed_as(const Where& where, bool hammer) const override {
+  std::size_t passed_as(const Location& where, bool hammer) const override {
     return hammer != (where.variant == early) ? 1 : 0;
   }
 
-  std::vector<ParameterSpec> parameters(const Where& where,
-                                        const Setting& setting) const override {
+  std::vector<ParameterSpec> parameters(
+      const Location& where, const TestContext& context) const override {
     // From a thousandth of a turn to half a turn at the band's end.
-    const double turn = 1.0 / setting.high_hz;
+    const double turn = 1.0 / context.high_hz;
     const double sign = where.variant == early ? -1.0 : 1.0;
     return {{"delay_s", 0.02 * turn, 1e-3 * turn, 0.5 * turn, sign}};
   }
@@ -60,8 +60,8 @@ class ChannelDelay final : public Effect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting&,
+      const Location& where,
+      const TestContext&,
       const std::vector<double>& p) const override {
     return {
         fmt::format("$ Channel {} is {:.4g} s {}; the model is not at fault",

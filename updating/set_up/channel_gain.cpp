@@ -17,12 +17,12 @@ class ChannelGain final : public Effect {
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}
 
-  std::vector<Where> places(const Setting& setting) const override {
-    return channel_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    return channel_places(context);
   }
 
-  std::vector<ParameterSpec> parameters(const Where&,
-                                        const Setting&) const override {
+  std::vector<ParameterSpec> parameters(const Location&,
+                                        const TestContext&) const override {
     // Up to a slip of the unit, g for m/s^2.
     return {{"gain", 1.01, 0.05, 20.0}};
   }
@@ -41,8 +41,8 @@ class ChannelGain final : public Effect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting&,
+      const Location& where,
+      const TestContext&,
       const std::vector<double>& p) const override {
     return {
         fmt::format("$ Channel {} reads {:.4g} times too much; the model is "

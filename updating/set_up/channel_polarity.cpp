@@ -17,8 +17,8 @@ class ChannelPolarity final : public Effect {
                 .sits = Sits::OnChannels,
                 .law = Law::Own}) {}
 
-  std::vector<Where> places(const Setting& setting) const override {
-    return channel_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    return channel_places(context);
   }
 
   std::complex<double> law(std::complex<double>,
@@ -28,7 +28,7 @@ class ChannelPolarity final : public Effect {
   }
 
   // The sensitivity's sign.
-  void correct(const Where& where,
+  void correct(const Location& where,
                const acquisition::TestBundle&,
                acquisition::TestBundle& sheet) const override {
     for (acquisition::Channel& channel : sheet.channels) {
@@ -38,8 +38,8 @@ class ChannelPolarity final : public Effect {
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting&,
+      const Location& where,
+      const TestContext&,
       const std::vector<double>&) const override {
     return {
         fmt::format("$ Channel {} has the wrong sign; the model is not at "

@@ -20,25 +20,25 @@ class ChannelSwap final : public SheetMistake {
                       .law = Law::Own}) {}
 
   // Every two sensor channels that measure at the same time.
-  std::vector<Where> places(const Setting& setting) const override {
+  std::vector<Location> places(const TestContext& context) const override {
     std::set<std::pair<std::size_t, std::size_t>> together;
-    for (const acquisition::Run& run : setting.bundle->runs) {
+    for (const acquisition::Run& run : context.bundle->runs) {
       for (const acquisition::Placement& a : run.sensors) {
         for (const acquisition::Placement& b : run.sensors) {
           if (a.channel < b.channel) together.insert({a.channel, b.channel});
         }
       }
     }
-    std::vector<Where> result;
+    std::vector<Location> result;
     for (const auto& [a, b] : together) {
-      result.push_back({.channels = {setting.bundle->channels[a].name,
-                                     setting.bundle->channels[b].name}});
+      result.push_back({.channels = {context.bundle->channels[a].name,
+                                     context.bundle->channels[b].name}});
     }
     return result;
   }
 
   // In each run in which both measure.
-  void correct(const Where& where,
+  void correct(const Location& where,
                const acquisition::TestBundle& written,
                acquisition::TestBundle& sheet) const override {
     for (std::size_t r = 0; r < written.runs.size(); ++r) {

@@ -26,7 +26,7 @@ Dof at_node(int node, Dof dof) {
   return dof;
 }
 
-WrittenDirections directions_of(const Where& where,
+WrittenDirections directions_of(const Location& where,
                                 const acquisition::TestBundle& sheet) {
   WrittenDirections result;
   acquisition::TestBundle copy = sheet;
@@ -80,10 +80,10 @@ Dof put_right(const Dof& dof, std::string_view variant) {
 }
 
 // @param flips whether the same axes the other way round are one of them
-void add_directions(const Where& where,
+void add_directions(const Location& where,
                     bool flips,
                     const acquisition::TestBundle& sheet,
-                    std::vector<Where>& places) {
+                    std::vector<Location>& places) {
   const std::set<Dof> written = directions_of(where, sheet).all;
   using Directions = std::vector<Dof>;
   Directions flipped(written.begin(), written.end());
@@ -121,17 +121,17 @@ class DirectionWrong final : public SheetMistake {
   // written, in every other turn of them all, "XYZ=+Y-X+Z": what X, Y and Z of
   // the sheet are in truth. A channel that has the wrong sign everywhere is
   // ChannelPolarity.
-  std::vector<Where> places(const Setting& setting) const override {
-    const acquisition::TestBundle& sheet = *setting.bundle;
-    std::vector<Where> whole = sensor_places(setting);
-    const std::vector<Where> hammers = hammer_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    const acquisition::TestBundle& sheet = *context.bundle;
+    std::vector<Location> whole = sensor_places(context);
+    const std::vector<Location> hammers = hammer_places(context);
     whole.insert(whole.end(), hammers.begin(), hammers.end());
-    std::vector<Where> result;
-    for (const Where& where : whole) {
+    std::vector<Location> result;
+    for (const Location& where : whole) {
       add_directions(where, false, sheet, result);
     }
-    for (const Where& point : written_points(setting)) {
-      Where channels = point;
+    for (const Location& point : written_points(context)) {
+      Location channels = point;
       channels.nodes.clear();
       if (directions_of(channels, sheet).grids.size() < 2) continue;
       add_directions(point, true, sheet, result);
@@ -139,7 +139,7 @@ class DirectionWrong final : public SheetMistake {
     return result;
   }
 
-  void correct(const Where& where,
+  void correct(const Location& where,
                const acquisition::TestBundle& written,
                acquisition::TestBundle& sheet) const override {
     for_each_meant(where, written, sheet, [&](acquisition::Placement& p) {

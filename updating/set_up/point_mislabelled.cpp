@@ -21,21 +21,22 @@ class PointMislabelled final : public SheetMistake {
   // Grids of the sheet, whole and, of sensors, parted by runs. The grid where
   // it was is left open. None at points of the test's own: their directions are
   // along axes of their own, and mean nothing at another grid.
-  std::vector<Where> places(const Setting& setting) const override {
-    std::vector<Where> result = written_points(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    std::vector<Location> result = written_points(context);
     // A point of the test's own has coordinates, not a number to mistake.
-    std::erase_if(result,
-                  [](const Where& point) { return point.nodes.front() < 0; });
+    std::erase_if(
+        result, [](const Location& point) { return point.nodes.front() < 0; });
     const std::size_t whole = result.size();
     for (std::size_t k = 0; k < whole; ++k) {
-      for (Where& part : parted_by_runs(Where(result[k]), *setting.bundle)) {
+      for (Location& part :
+           parted_by_runs(Location(result[k]), *context.bundle)) {
         result.push_back(std::move(part));
       }
     }
     return result;
   }
 
-  void correct(const Where& where,
+  void correct(const Location& where,
                const acquisition::TestBundle& written,
                acquisition::TestBundle& sheet) const override {
     if (where.node == 0) return;

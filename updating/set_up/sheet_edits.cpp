@@ -127,11 +127,11 @@ std::vector<std::string> line_edits(const acquisition::TestBundle& before,
 }  // namespace
 
 std::vector<std::string> sheet_edits(const Effect& effect,
-                                     const Where& where,
+                                     const Location& where,
                                      const acquisition::TestBundle& written,
                                      const acquisition::TestBundle& before) {
   if (effect.changes_stiffness() == updating::ChangeKind::Support) {
-    Where grids = where;
+    Location grids = where;
     grids.variant.clear();
     const bool held = updating::is_held(where);
     return {fmt::format("model: {} components {} (basic axes) at {}",

@@ -21,7 +21,7 @@ namespace tapfit::effects {
 /// @param before as the earlier mistakes leave it
 [[nodiscard]] std::vector<std::string> sheet_edits(
     const Effect& effect,
-    const Where& where,
+    const Location& where,
     const acquisition::TestBundle& written,
     const acquisition::TestBundle& before);
 

@@ -14,8 +14,8 @@ class SheetMistake : public Effect {
  public:
   using Effect::Effect;
   [[nodiscard]] std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting&,
+      const Location& where,
+      const TestContext&,
       const std::vector<double>&) const final {
     return {fmt::format("$ The sheet is at fault, not the model: {}, {}",
                         name(),

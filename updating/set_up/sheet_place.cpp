@@ -60,8 +60,9 @@ std::string runs_text(const std::vector<int>& runs) {
 
 }  // namespace
 
-Where read_sheet_place(std::vector<std::string> parts, const Effect& effect) {
-  Where where;
+Location read_sheet_place(std::vector<std::string> parts,
+                          const Effect& effect) {
+  Location where;
   while (!parts.empty()) {
     const std::vector<int> runs = runs_in(parts.back());
     if (runs.empty()) break;
@@ -93,7 +94,7 @@ Where read_sheet_place(std::vector<std::string> parts, const Effect& effect) {
   return where;
 }
 
-std::string sheet_place_text(const Where& where) {
+std::string sheet_place_text(const Location& where) {
   std::string text = fmt::format("{}", fmt::join(where.channels, ":"));
   if (!where.nodes.empty()) text += ":" + node_name(where.nodes.front());
   if (where.node != 0) text += ":" + node_name(where.node);

@@ -17,10 +17,10 @@ namespace tapfit::effects {
 /// the effect takes any grid and no ":" follows, or else the sheet's.
 ///
 /// @param parts what stands between the colons
-[[nodiscard]] Where read_sheet_place(std::vector<std::string> parts,
-                                     const Effect& effect);
+[[nodiscard]] Location read_sheet_place(std::vector<std::string> parts,
+                                        const Effect& effect);
 
 /// The same the other way round; read_sheet_place() has it back.
-[[nodiscard]] std::string sheet_place_text(const Where& where);
+[[nodiscard]] std::string sheet_place_text(const Location& where);
 
 }  // namespace tapfit::effects

@@ -17,13 +17,13 @@ using acquisition::Placement;
 using acquisition::Run;
 using acquisition::TestBundle;
 
-bool means_run(const Where& where, std::size_t run) {
+bool means_run(const Location& where, std::size_t run) {
   return where.runs.empty() ||
          std::ranges::find(where.runs, static_cast<int>(run) + 1) !=
              where.runs.end();
 }
 
-bool means(const Where& where, const Placement& p, const TestBundle& sheet) {
+bool means(const Location& where, const Placement& p, const TestBundle& sheet) {
   const std::string& channel = sheet.channels[p.channel].name;
   return std::ranges::find(where.channels, channel) != where.channels.end() &&
          (where.nodes.empty() || where.nodes.front() == p.dof.node);
@@ -35,10 +35,10 @@ std::vector<int> from_one(const acquisition::RunGroup& group) {
   return runs;
 }
 
-Where point_of(const std::set<std::size_t>& channels,
-               int grid,
-               const TestBundle& sheet) {
-  Where where;
+Location point_of(const std::set<std::size_t>& channels,
+                  int grid,
+                  const TestBundle& sheet) {
+  Location where;
   for (const std::size_t channel : channels) {
     where.channels.push_back(sheet.channels[channel].name);
   }
@@ -48,9 +48,9 @@ Where point_of(const std::set<std::size_t>& channels,
 
 }  // namespace
 
-std::vector<Where> written_points(const Setting& setting) {
+std::vector<Location> written_points(const TestContext& context) {
   using Channels = std::set<std::size_t>;
-  const TestBundle& sheet = *setting.bundle;
+  const TestBundle& sheet = *context.bundle;
   std::set<std::pair<int, Channels>> hammers;
   std::set<std::pair<int, Channels>> sensors;
   for (const Run& run : sheet.runs) {
@@ -62,7 +62,7 @@ std::vector<Where> written_points(const Setting& setting) {
     }
     for (const auto& [grid, channels] : at) sensors.insert({grid, channels});
   }
-  std::vector<Where> result;
+  std::vector<Location> result;
   for (const auto* points : {&hammers, &sensors}) {
     for (const auto& [grid, channels] : *points) {
       result.push_back(point_of(channels, grid, sheet));
@@ -71,7 +71,7 @@ std::vector<Where> written_points(const Setting& setting) {
   return result;
 }
 
-std::vector<std::vector<int>> averaged_runs(const Where& where,
+std::vector<std::vector<int>> averaged_runs(const Location& where,
                                             const TestBundle& sheet) {
   std::vector<std::vector<int>> result;
   for (const acquisition::RunGroup& group : acquisition::runs_alike(sheet)) {
@@ -86,7 +86,7 @@ std::vector<std::vector<int>> averaged_runs(const Where& where,
   return result;
 }
 
-std::string fault_of_runs(const Where& where, const TestBundle& sheet) {
+std::string fault_of_runs(const Location& where, const TestBundle& sheet) {
   const auto count = static_cast<int>(sheet.runs.size());
   for (const int run : where.runs) {
     if (run < 1 || run > count) {
@@ -106,19 +106,20 @@ std::string fault_of_runs(const Where& where, const TestBundle& sheet) {
   return {};
 }
 
-bool is_hammer(const Where& where, const TestBundle& sheet) {
+bool is_hammer(const Location& where, const TestBundle& sheet) {
   return std::ranges::any_of(sheet.runs, [&](const Run& run) {
     return means(where, run.hammer, sheet);
   });
 }
 
-std::vector<Where> parted_by_runs(const Where& point, const TestBundle& sheet) {
+std::vector<Location> parted_by_runs(const Location& point,
+                                     const TestBundle& sheet) {
   if (is_hammer(point, sheet)) return {};
   const std::vector<std::vector<int>> runs = averaged_runs(point, sheet);
-  std::vector<Where> result;
+  std::vector<Location> result;
   for (std::size_t cut = 1; cut < runs.size(); ++cut) {
-    Where before = point;
-    Where after = point;
+    Location before = point;
+    Location after = point;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       std::vector<int>& part = (k < cut ? before : after).runs;
       part.insert(part.end(), runs[k].begin(), runs[k].end());
@@ -131,7 +132,7 @@ std::vector<Where> parted_by_runs(const Where& point, const TestBundle& sheet) {
   return result;
 }
 
-void for_each_meant(const Where& where,
+void for_each_meant(const Location& where,
                     const TestBundle& written,
                     TestBundle& sheet,
                     const std::function<void(Placement&)>& change) {

@@ -21,30 +21,30 @@
 namespace tapfit::effects {
 namespace {
 
-std::vector<updating::SupportDof> freed(const Where& where,
-                                        const Setting& setting) {
+std::vector<updating::SupportDof> freed(const Location& where,
+                                        const TestContext& context) {
   std::vector<updating::SupportDof> dofs;
   for (const updating::SupportPart& part :
-       updating::support_parts(*setting.deck, where.nodes, where.variant)) {
+       updating::support_parts(*context.deck, where.nodes, where.variant)) {
     dofs.insert(dofs.end(), part.line.dofs.begin(), part.line.dofs.end());
   }
   return dofs;
 }
 
 // What the deck has.
-std::vector<Where> places_freed(const Setting& setting,
-                                const std::vector<std::string>& variants) {
-  std::vector<Where> result;
+std::vector<Location> places_freed(const TestContext& context,
+                                   const std::vector<std::string>& variants) {
+  std::vector<Location> result;
   std::vector<std::vector<int>> groups =
-      updating::support_choices(*setting.deck);
+      updating::support_choices(*context.deck);
   if (!groups.empty()) {
     std::rotate(groups.begin(), groups.end() - 1, groups.end());
   }
   for (const std::vector<int>& group : groups) {
     std::size_t most = 0;
     for (const std::string& variant : variants) {
-      Where where{.nodes = group, .variant = variant};
-      const std::size_t count = freed(where, setting).size();
+      Location where{.nodes = group, .variant = variant};
+      const std::size_t count = freed(where, context).size();
       // What frees all that is held is the same under another name.
       if (count == 0 || count == most) continue;
       most = std::max(most, count);
@@ -69,13 +69,13 @@ bool has_turns(const structure::Deck& deck, const std::vector<int>& nodes) {
 }
 
 // What it has not.
-std::vector<Where> places_held(const structure::Deck& deck) {
-  std::vector<Where> result;
+std::vector<Location> places_held(const structure::Deck& deck) {
+  std::vector<Location> result;
   for (const std::vector<int>& nodes : updating::clamp_places(deck)) {
     std::string known;  // what holds no more is the same under another name
     for (const std::string& variant : {hinge, clamp}) {
       if (variant == clamp && !has_turns(deck, nodes)) continue;
-      Where where{.nodes = nodes, .variant = variant};
+      Location where{.nodes = nodes, .variant = variant};
       std::string all;
       for (const auto& grid : updating::newly_held(deck, where)) {
         all += fmt::format("{}:{} ", grid.node, grid.components);
@@ -115,12 +115,12 @@ class SupportMismatch final : public Effect {
                 .variants = mismatch_variants()}) {}
 
   bool takes(const std::string& form,
-             const Where& place,
-             const Setting& setting) const override {
+             const Location& place,
+             const TestContext& context) const override {
     if (place.variant != hinge) return false;
-    Where where = place;
+    Location where = place;
     where.variant = form;
-    return !updating::newly_held(*setting.deck, where).empty();
+    return !updating::newly_held(*context.deck, where).empty();
   }
 
   // All supports, then each connected group of constrained grids, free, free to
@@ -128,41 +128,41 @@ class SupportMismatch final : public Effect {
   // deck that nothing holds each of clamp_places(), held and held as by a
   // hinge: that a structure is held elsewhere than in its deck, besides, is
   // tried by name.
-  std::vector<Where> places(const Setting& setting) const override {
-    if (setting.deck == nullptr) return {};
-    std::vector<Where> supports =
-        places_freed(setting, updating::freed_variants());
-    return supports.empty() ? places_held(*setting.deck) : supports;
+  std::vector<Location> places(const TestContext& context) const override {
+    if (context.deck == nullptr) return {};
+    std::vector<Location> supports =
+        places_freed(context, updating::freed_variants());
+    return supports.empty() ? places_held(*context.deck) : supports;
   }
 
   std::vector<structure::Constraint> released(
-      const Where& where, const Setting& setting) const override {
+      const Location& where, const TestContext& context) const override {
     std::vector<structure::Constraint> result;
     if (updating::is_held(where)) return result;
-    for (const updating::SupportDof& dof : freed(where, setting)) {
+    for (const updating::SupportDof& dof : freed(where, context)) {
       const std::optional<int> own =
           dof.own_axes ? dof.component
-                       : card_component(*setting.deck, dof.node, dof.component);
+                       : card_component(*context.deck, dof.node, dof.component);
       if (own) result.push_back({dof.node, std::to_string(*own)});
     }
     return result;
   }
 
   std::vector<std::string> bulk_data(
-      const Where& where,
-      const Setting& setting,
+      const Location& where,
+      const TestContext& context,
       const std::vector<double>&) const override {
     if (!updating::is_held(where)) {
       return {fmt::format("$ Not held in the test: {}", describe(where))};
     }
     std::vector<structure::Constraint> fresh;
-    for (const auto& grid : updating::newly_held(*setting.deck, where)) {
+    for (const auto& grid : updating::newly_held(*context.deck, where)) {
       fresh.push_back({grid.node, grid.components});
     }
-    std::vector<std::string> cards = hold_cards(*setting.deck, fresh);
+    std::vector<std::string> cards = hold_cards(*context.deck, fresh);
     cards.insert(cards.begin(),
                  fmt::format("$ Held in the test (case control: SPC = {})",
-                             constraint_set(*setting.deck)));
+                             constraint_set(*context.deck)));
     return cards;
   }
 };

@@ -73,7 +73,7 @@ std::vector<std::string> slip_names() {
   return names;
 }
 
-const UnitSlip& slip_of(const Where& where) {
+const UnitSlip& slip_of(const Location& where) {
   const auto found = std::ranges::find(slips(), where.variant, &UnitSlip::name);
   assert(found != slips().end());
   return *found;
@@ -117,14 +117,14 @@ class UnitFactor final : public SheetMistake {
   // All sensors together and each channel with each factor that it may read too
   // much by (Where::variant), in all runs, then one channel in the runs of one
   // placement, which are averaged.
-  std::vector<Where> places(const Setting& setting) const override {
-    const acquisition::TestBundle& sheet = *setting.bundle;
-    std::vector<Where> whole;
-    std::vector<Where> single;
-    std::vector<Where> channels = channel_places(setting);
-    const std::vector<Where> sensors = sensor_places(setting);
+  std::vector<Location> places(const TestContext& context) const override {
+    const acquisition::TestBundle& sheet = *context.bundle;
+    std::vector<Location> whole;
+    std::vector<Location> single;
+    std::vector<Location> channels = channel_places(context);
+    const std::vector<Location> sensors = sensor_places(context);
     if (sensors.size() > 1) channels.insert(channels.begin(), sensors.front());
-    for (const Where& channel : channels) {
+    for (const Location& channel : channels) {
       const acquisition::Quantity written =
           quantity_of(channel.channels.front(), sheet);
       const std::vector<std::vector<int>> averages =
@@ -146,14 +146,14 @@ class UnitFactor final : public SheetMistake {
     return whole;
   }
 
-  std::vector<Fixed> fixed(const Where& where) const override {
+  std::vector<Fixed> fixed(const Location& where) const override {
     const UnitSlip& slip = slip_of(where);
     if (slip.power != 0) return {};
     return {{"factor", slip.factor}};
   }
 
   // Twice the factor's position; one more for the hammer.
-  std::size_t passed_as(const Where& where, bool hammer) const override {
+  std::size_t passed_as(const Location& where, bool hammer) const override {
     const auto at = static_cast<std::size_t>(&slip_of(where) - slips().data());
     return 2 * at + (hammer ? 1 : 0);
   }
@@ -168,7 +168,7 @@ class UnitFactor final : public SheetMistake {
 
   // A sensitivity, or what is measured, then in its SI unit; nothing for
   // single runs, which have the same sensitivity on the sheet as the others.
-  void correct(const Where& where,
+  void correct(const Location& where,
                const acquisition::TestBundle&,
                acquisition::TestBundle& sheet) const override {
     if (!where.runs.empty()) return;

@@ -59,8 +59,8 @@ PropertyStudy::PropertyStudy(const std::filesystem::path& folder,
   bundle_.channels = {force, response};
   bundle_.runs = {run_of(points)};
   deck_ = read_test_model(bundle_);
-  setting_.bundle = &bundle_;
-  setting_.deck = &deck_;
+  context_.bundle = &bundle_;
+  context_.deck = &deck_;
 }
 
 FrfModel PropertyStudy::model_at(const std::vector<double>& factor) const {
@@ -71,7 +71,7 @@ FrfModel PropertyStudy::model_at(const std::vector<double>& factor) const {
   options.points = measured_points(deck_, bundle_).all;
   const BaseBuilder builder(
       scaled(factor), bundle_.uncertain, options, Progress{});
-  return {builder.build({}, {}), setting_, empty_set(VectorXcd())};
+  return {builder.build({}, {}), context_, empty_set(VectorXcd())};
 }
 
 structure::Deck PropertyStudy::scaled(const std::vector<double>& factor) const {

@@ -78,7 +78,7 @@ class PropertyStudy {
 
   acquisition::TestBundle bundle_;
   structure::Deck deck_;
-  effects::Setting setting_;
+  effects::TestContext context_;
   std::vector<Dof> points_;
   double reach_hz_;
   RayleighDamping damping_;

@@ -29,13 +29,13 @@ acquisition::TestBundle roving_hammer() {
 // What is offered for a mistake of the sheet means what it was made from.
 TEST(PlaceWords, OfASheetAreReadAsTheGridThere) {
   const acquisition::TestBundle bundle = roving_hammer();
-  effects::Setting setting;
-  setting.bundle = &bundle;
+  effects::TestContext context;
+  context.bundle = &bundle;
   const effects::Effect& mislabelled = effects::find("point-mislabelled");
-  EXPECT_EQ(place_words(mislabelled, setting, "hammer"),
+  EXPECT_EQ(place_words(mislabelled, context, "hammer"),
             (Words{"hammer:28:", "hammer:30:"}));
-  EXPECT_EQ(place_words(mislabelled, setting, "acc1"), Words{"acc1:11:"});
-  const updating::Where where =
+  EXPECT_EQ(place_words(mislabelled, context, "acc1"), Words{"acc1:11:"});
+  const updating::Location where =
       updating::parse_effect("point-mislabelled@hammer:28:").where;
   EXPECT_EQ(where.nodes, std::vector{28});
   EXPECT_EQ(where.node, 0);

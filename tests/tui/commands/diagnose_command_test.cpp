@@ -14,14 +14,14 @@
 namespace tapfit::tui {
 namespace {
 
-updating::Where at_node(int node) {
-  updating::Where where;
+updating::Location at_node(int node) {
+  updating::Location where;
   where.node = node;
   return where;
 }
 
-updating::Where at_channels(std::vector<std::string> channels) {
-  updating::Where where;
+updating::Location at_channels(std::vector<std::string> channels) {
+  updating::Location where;
   where.channels = std::move(channels);
   return where;
 }
@@ -60,10 +60,10 @@ updating::Diagnosis sample_diagnosis() {
 // A support's rotation and its translation are two forms of one effect.
 TEST(DiagnoseCommand, JsonNamesEachLookAlikeOnceAndNotTheCandidate) {
   updating::Diagnosis diagnosis = sample_diagnosis();
-  updating::Where rotation;
+  updating::Location rotation;
   rotation.nodes = {1, 2};
   rotation.variant = "rotation";
-  updating::Where translation = rotation;
+  updating::Location translation = rotation;
   translation.variant = "translation";
   diagnosis.candidates[0].indistinguishable_from = {
       {"added-mass", at_node(201)},
@@ -139,10 +139,10 @@ TEST(EffectOutput, PlacesAreNamedAsTheEffectWantsThem) {
             R"({"channels":["acc1","acc2"]})");
   EXPECT_EQ(where_json("channel-gain", at_channels({"acc1"})).dump(),
             R"({"channel":"acc1"})");
-  updating::Where line;
+  updating::Location line;
   line.nodes = {1, 2, 3};
   EXPECT_EQ(where_json("soft-support", line).dump(), R"({"nodes":[1,2,3]})");
-  updating::Where patch;
+  updating::Location patch;
   patch.elements = {7, 8};
   EXPECT_EQ(where_json("stiffness-loss", patch).dump(),
             R"({"elements":[7,8]})");

@@ -16,7 +16,7 @@ TEST(ReportWords, NameEffectsAndGroups) {
 }
 
 TEST(ReportWords, NamePlaces) {
-  updating::Where where;
+  updating::Location where;
   EXPECT_EQ(place_words(where), "");
   where.nodes = {1, 2, 3, 4};
   where.variant = "rotation";

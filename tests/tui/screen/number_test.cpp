@@ -80,7 +80,7 @@ TEST(Number, TellsATotalFromItsValuePerMetre) {
 }
 
 TEST(Number, PutsThePlacesVariantFirst) {
-  updating::Where where;
+  updating::Location where;
   where.nodes = {1, 3, 4, 38};
   where.variant = "rotation";
   EXPECT_EQ(place(where), "rotation, 4 nodes (1 ... 38)");

@@ -1,7 +1,7 @@
 #include "tests/tui/support/fake_workbench.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/added_effect.hpp"
 #include "updating/session/effect_change.hpp"
@@ -99,9 +99,9 @@ class FakeWorkbench final : public Workbench {
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
     if (options_.endless_first_diagnosis && added_.empty()) {
-      const updating::FitWatch* watch = updating::fit_watch(progress);
+      const updating::FitObserver* observer = updating::fit_observer(progress);
       for (const updating::Candidate& c : diagnosis_.candidates) {
-        if (watch != nullptr && watch->tried) watch->tried(c);
+        if (observer != nullptr && observer->tried) observer->tried(c);
       }
       while (true) {
         progress("hypotheses", 0.3);
@@ -122,7 +122,7 @@ class FakeWorkbench final : public Workbench {
   updating::Signature signature(int node, const Progress&) override {
     return fake_signature(node);
   }
-  std::vector<updating::GridShare> signature_map(const Progress&) override {
+  std::vector<updating::GridShare> localisation_map(const Progress&) override {
     return {{5, 0.97}, {6, 0.9}, {3, 0.6}, {1, 0.01}};
   }
   std::vector<updating::UpdateRecord> update_records(const Progress&) override {

@@ -30,7 +30,7 @@ TEST(CandidateTable, NumbersTheRungsOfTheVerdict) {
 
 TEST(CandidateTable, CutsNoPlaceInsideItsBrackets) {
   updating::Diagnosis d = testing::fake_diagnosis();
-  updating::Where& where = d.candidates[0].where;
+  updating::Location& where = d.candidates[0].where;
   where = {};
   where.variant = "rotation";
   for (int node = 1; node < 20; ++node) where.nodes.push_back(node);

@@ -282,7 +282,7 @@ TEST(DiagnoseView, DrawsTheLawOfAnAbsorberThatIsSuspected) {
 
 TEST(DiagnoseView, FindsTheGridsOfChannels) {
   const acquisition::TestBundle bundle = testing::fake_bundle();
-  updating::Where where;
+  updating::Location where;
   where.channels = {"acc2"};
   EXPECT_EQ(grids_of(bundle, where), std::vector<int>{4});
 }

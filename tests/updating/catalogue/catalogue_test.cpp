@@ -20,11 +20,11 @@ class EveryEffect : public ::testing::Test {
   EveryEffect()
       : deck_(support::plate_deck(true)),
         bundle_(support::plate_bundle()),
-        setting_(support::plate_setting(bundle_, deck_)) {}
+        context_(support::plate_context(bundle_, deck_)) {}
 
   structure::Deck deck_;
   acquisition::TestBundle bundle_;
-  Setting setting_;
+  TestContext context_;
 };
 
 TEST_F(EveryEffect, HasANameOfItsOwn) {
@@ -50,14 +50,14 @@ TEST_F(EveryEffect, HasItsPage) {
 
 TEST_F(EveryEffect, HasAPlaceOnAClampedPlate) {
   for (const Effect* effect : catalogue()) {
-    EXPECT_FALSE(effect->places(setting_).empty()) << effect->name();
+    EXPECT_FALSE(effect->places(context_).empty()) << effect->name();
   }
 }
 
 TEST_F(EveryEffect, StartsWithinItsBounds) {
   for (const Effect* effect : catalogue()) {
-    const Where where = effect->places(setting_).front();
-    for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
+    const Location where = effect->places(context_).front();
+    for (const ParameterSpec& spec : effect->parameters(where, context_)) {
       EXPECT_GT(spec.lower, 0.0) << effect->name() << ' ' << spec.name;
       EXPECT_GE(spec.start, spec.lower) << effect->name() << ' ' << spec.name;
       EXPECT_LE(spec.start, spec.upper) << effect->name() << ' ' << spec.name;
@@ -68,9 +68,9 @@ TEST_F(EveryEffect, StartsWithinItsBounds) {
 TEST_F(EveryEffect, LawsAgreeWithTheirDerivatives) {
   const std::complex<double> s(40.0, 900.0);
   for (const Effect* effect : catalogue()) {
-    const Where where = effect->places(setting_).front();
+    const Location where = effect->places(context_).front();
     std::vector<double> p;
-    for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
+    for (const ParameterSpec& spec : effect->parameters(where, context_)) {
       p.push_back(spec.start);
     }
     // Only faults of a channel have a second law: that of the hammer.
@@ -114,12 +114,12 @@ TEST_F(EveryEffect, MassesHaveALawEach) {
 
 TEST_F(EveryEffect, HasCardsOrAComment) {
   for (const Effect* effect : catalogue()) {
-    const Where where = effect->places(setting_).back();
+    const Location where = effect->places(context_).back();
     std::vector<double> p;
-    for (const ParameterSpec& spec : effect->parameters(where, setting_)) {
+    for (const ParameterSpec& spec : effect->parameters(where, context_)) {
       p.push_back(spec.start);
     }
-    EXPECT_FALSE(effect->bulk_data(where, setting_, p).empty())
+    EXPECT_FALSE(effect->bulk_data(where, context_, p).empty())
         << effect->name();
   }
 }
@@ -151,20 +151,20 @@ TEST_F(EveryEffect, HammerFaultsAreTheInverseOfSensorFaults) {
 // have a negative delay.
 TEST_F(EveryEffect, EarlyChannelsHaveNegativeDelay) {
   const Effect& delay = find("channel-delay");
-  const std::vector<Where> places = delay.places(setting_);
+  const std::vector<Location> places = delay.places(context_);
   const auto early =
-      std::count_if(places.begin(), places.end(), [](const Where& where) {
+      std::count_if(places.begin(), places.end(), [](const Location& where) {
         return where.variant == "early";
       });
   EXPECT_EQ(2 * early, static_cast<std::ptrdiff_t>(places.size()));
-  const Where& last = places.back();
-  const Where& first = places.front();
+  const Location& last = places.back();
+  const Location& first = places.front();
   EXPECT_EQ(delay.passed_as(first, false), 0U);
   EXPECT_EQ(delay.passed_as(first, true), 1U);
   EXPECT_EQ(delay.passed_as(last, false), 1U);
   EXPECT_EQ(delay.passed_as(last, true), 0U);
-  EXPECT_EQ(delay.parameters(first, setting_)[0].sign, 1.0);
-  EXPECT_EQ(delay.parameters(last, setting_)[0].sign, -1.0);
+  EXPECT_EQ(delay.parameters(first, context_)[0].sign, 1.0);
+  EXPECT_EQ(delay.parameters(last, context_)[0].sign, -1.0);
 }
 
 // Cards go into the engineer's file: in millimetres and tonnes a stiffness is
@@ -212,9 +212,10 @@ TEST_F(EveryEffect, TriaxialSensorIsOneMass) {
     run.sensors.push_back({3, {11, 2, 1}});
   }
   const Effect& effect = find("sensor-mass");
-  const Where all = effect.places(setting_).front();
+  const Location all = effect.places(context_).front();
   ASSERT_EQ(all.channels.size(), 3U);
-  const std::vector<ActedDof> acted = effect.acts_on(all, setting_, 0);
+  const std::vector<InterfaceDof> acted =
+      effect.interface_dofs(all, context_, 0);
   const auto at = std::count_if(acted.begin(),
                                 acted.end(),
                                 [](const auto& dof) { return dof.node == 11; });

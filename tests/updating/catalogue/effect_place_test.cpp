@@ -12,7 +12,7 @@ class EffectPlace : public ::testing::Test {
  protected:
   std::string refusal(const std::string& text) const {
     try {
-      static_cast<void>(place_effect(parse_effect(text), setting_));
+      static_cast<void>(place_effect(parse_effect(text), context_));
     } catch (const InputError& error) {
       return error.what();
     }
@@ -21,7 +21,7 @@ class EffectPlace : public ::testing::Test {
 
   structure::Deck deck_ = support::plate_deck(true);
   acquisition::TestBundle bundle_ = support::plate_bundle();
-  effects::Setting setting_ = support::plate_setting(bundle_, deck_);
+  effects::TestContext context_ = support::plate_context(bundle_, deck_);
 };
 
 TEST_F(EffectPlace, ChannelsAreJoinedAsTheyAreTold) {
@@ -55,12 +55,12 @@ TEST_F(EffectPlace, SupportsTakeTheirFormsAlongALine) {
   for (const char* form :
        {"rotation", "both", "rotation-varying", "translation-varying"}) {
     const std::string text = std::string("soft-support@") + form;
-    const PlacedEffect alone = place_effect(parse_effect(text), setting_);
+    const EffectInstance alone = place_effect(parse_effect(text), context_);
     EXPECT_EQ(alone.where.variant, form);
     EXPECT_EQ(alone.where.nodes, clamp);
     EXPECT_EQ(alone.p.size(), form == std::string("rotation") ? 1U : 2U);
     const std::string at = std::string("soft-support@1:45:") + form;
-    EXPECT_EQ(place_effect(parse_effect(at), setting_).where, alone.where);
+    EXPECT_EQ(place_effect(parse_effect(at), context_).where, alone.where);
   }
   // Hinges on a wall: there is no turn to let go.
   for (structure::Constraint& c : deck_.constraints) c.components = "123";
@@ -92,28 +92,30 @@ TEST_F(EffectPlace, RefusalsNameWhatIsNotThere) {
 }
 
 TEST_F(EffectPlace, ASpringActsAlongAnyAxisThatWasTested) {
-  setting_.component = 3;
-  setting_.components = {1, 3};
+  context_.component = 3;
+  context_.components = {1, 3};
   const auto axis = [&](const std::string& text) {
-    const PlacedEffect spring = place_effect(parse_effect(text), setting_);
-    return spring.effect->acts_on(spring.where, setting_, 0).at(0).component;
+    const EffectInstance spring = place_effect(parse_effect(text), context_);
+    return spring.effect->interface_dofs(spring.where, context_, 0)
+        .at(0)
+        .component;
   };
   EXPECT_EQ(axis("ground-spring@30"), 3);
   EXPECT_EQ(axis("ground-spring@30:Z"), 3);
   EXPECT_EQ(axis("ground-spring@30:X"), 1);
   EXPECT_EQ(axis("absorber@30:X"), 1);
-  EXPECT_EQ(place_effect(parse_effect("dashpot@30:Z"), setting_).where.variant,
+  EXPECT_EQ(place_effect(parse_effect("dashpot@30:Z"), context_).where.variant,
             "");
   EXPECT_NE(refusal("ground-spring@30:Y").find("axis"), std::string::npos);
   EXPECT_EQ(describe(parse_effect("dashpot@30:X").where), "node 30 along X");
 }
 
 TEST_F(EffectPlace, APointOfTheSheetMayBeAnyOtherGridOfTheModel) {
-  const PlacedEffect point = place_effect(
-      parse_effect("point-mislabelled@acc2:36:33:run4-6"), setting_);
+  const EffectInstance point = place_effect(
+      parse_effect("point-mislabelled@acc2:36:33:run4-6"), context_);
   EXPECT_EQ(describe(point.where), "acc2 at node 33, not 36, in runs 4 to 6");
   // A sensor that stays has one point.
-  EXPECT_EQ(place_effect(parse_effect("point-mislabelled@acc2:33"), setting_)
+  EXPECT_EQ(place_effect(parse_effect("point-mislabelled@acc2:33"), context_)
                 .where.nodes,
             std::vector{36});
   for (const char* open :
@@ -167,7 +169,7 @@ TEST_F(EffectPlace, MistakesOfASheetHaveTheirVariants) {
 
 TEST_F(EffectPlace, ASupportThatTheDeckLacksHasToBeToldWhere) {
   const auto nodes = [&](const std::string& text) {
-    return place_effect(parse_effect(text), setting_).where.nodes;
+    return place_effect(parse_effect(text), context_).where.nodes;
   };
   const std::vector<int> inside = {17, 28};
   EXPECT_EQ(nodes("support-mismatch@17:28:held"), inside) << "any grids";
@@ -189,17 +191,17 @@ TEST_F(EffectPlace, APlaceBetweenGridsLiesOnAnElementThere) {
   EffectRef ref = parse_effect("added-mass@30");
   const Eigen::Vector3d x = position_of(ref.where, deck_);
   ref.where.at = {x.x() + 0.01, x.y() + 0.005, x.z()};
-  const PlacedEffect placed = place_effect(ref, setting_);
+  const EffectInstance placed = place_effect(ref, context_);
   EXPECT_EQ(placed.where, ref.where);
   EXPECT_EQ(describe(placed.where), "near node 30");
   double whole = 0.0;
-  const auto dofs = placed.effect->acts_on(placed.where, setting_, 0);
+  const auto dofs = placed.effect->interface_dofs(placed.where, context_, 0);
   for (const MotionShare& share : dofs.at(2).between) {
     if (share.component == 3) whole += share.weight;
   }
   EXPECT_NEAR(whole, 1.0, 1e-12);  // a rigid motion moves it along
   ref.where.at[2] += 0.1;
-  EXPECT_THROW(static_cast<void>(place_effect(ref, setting_)), InputError);
+  EXPECT_THROW(static_cast<void>(place_effect(ref, context_)), InputError);
 }
 
 }  // namespace

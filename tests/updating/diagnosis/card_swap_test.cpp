@@ -33,8 +33,8 @@ class CardSwap : public ::testing::Test {
     deck_ = written;
     const BaseBuilder real(
         truth, bundle_.uncertain, support::plate_base(bundle_, truth), {});
-    FitSetting fit;
-    fit.setting = support::plate_setting(bundle_, truth);
+    FitProblem fit;
+    fit.context = support::plate_context(bundle_, truth);
     fit.uncertain_sd = {0.03};
     fit.damping_ratio = 0.008;
     std::mt19937 random(1);
@@ -60,7 +60,7 @@ class CardSwap : public ::testing::Test {
       }
       fit.targets.back() = make_target(fit.measured);
     }
-    fit.setting = support::plate_setting(bundle_, deck_);
+    fit.context = support::plate_context(bundle_, deck_);
     builder_.emplace(deck_,
                      bundle_.uncertain,
                      support::plate_base(bundle_, deck_),

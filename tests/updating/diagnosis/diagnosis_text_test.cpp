@@ -43,7 +43,7 @@ Diagnosis rich() {
                     .moves_sensor = true,
                     .difference = 0.4,
                     .difference_now = 0.1});
-  Where moved;
+  Location moved;
   moved.node = 6;
   moved.nodes = {5};
   moved.channels = {"acc1"};
@@ -109,7 +109,7 @@ TEST(DiagnosisText, IsNoneWhereItWouldNotBeTheSame) {
 }
 
 TEST(Describe, NamesAFewPlacesOneByOne) {
-  Where where;
+  Location where;
   where.elements = {9};
   EXPECT_EQ(describe(where), "element 9");
   where.elements = {9, 10};

@@ -109,9 +109,9 @@ class ToldForm : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     frame_ = std::make_unique<support::BasedFrame>();
-    const effects::Setting setting = frame_->setting();
+    const effects::TestContext context = frame_->context();
     model_ = std::make_shared<FrfModel>(
-        frame_->builder.build({}, {}), setting, signal::FrfSet{});
+        frame_->builder.build({}, {}), context, signal::FrfSet{});
   }
   static void TearDownTestSuite() {
     model_.reset();

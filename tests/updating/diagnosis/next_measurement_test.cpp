@@ -30,8 +30,8 @@ class NextMeasurementTest : public ::testing::Test {
                      bundle_.uncertain,
                      support::plate_base(bundle_, deck_),
                      Progress{});
-    FitSetting fit;
-    fit.setting = support::plate_setting(bundle_, deck_);
+    FitProblem fit;
+    fit.context = support::plate_context(bundle_, deck_);
     fit.uncertain_sd = {0.03};
     fit.measured = support::plate_pairs(
         bundle_, damped_line({10.0, 400.0}, 3.0, {0.03, 120}));
@@ -49,7 +49,7 @@ class NextMeasurementTest : public ::testing::Test {
   }
 
   [[nodiscard]] Fit with(const std::string& effect,
-                         const Where& where,
+                         const Location& where,
                          double size) const {
     Fit fit;
     fit.effects = {{&effects::find(effect), where, {size}}};
@@ -64,8 +64,8 @@ class NextMeasurementTest : public ::testing::Test {
   std::optional<Fitter> fitter_;
 };
 
-Where grid(int node) {
-  Where where;
+Location grid(int node) {
+  Location where;
   where.node = node;
   return where;
 }
@@ -79,7 +79,7 @@ TEST_F(NextMeasurementTest, LeavesTheLineOfSymmetry) {
   ASSERT_TRUE(next);
   // Rounding of the reduced base.
   EXPECT_LT(next->difference_now, 1e-6);
-  EXPECT_TRUE(is_telling(*next, floor));
+  EXPECT_TRUE(is_significant(*next, floor));
   const auto on_middle = [](const Dof& dof) {
     return dof.node >= 23 && dof.node <= 33;
   };
@@ -92,7 +92,7 @@ TEST_F(NextMeasurementTest, LeavesTheLineOfSymmetry) {
 // While the sensor stays, its mass and a mass beneath it are one thing. It
 // must be moved, by whatever FRF.
 TEST_F(NextMeasurementTest, MovesTheSensorWhoseMassItMayBe) {
-  Where channel;
+  Location channel;
   channel.channels = {"acc1"};
   const auto next = next_measurement(with("sensor-mass", channel, 0.02),
                                      with("added-mass", grid(33), 0.02),
@@ -101,7 +101,7 @@ TEST_F(NextMeasurementTest, MovesTheSensorWhoseMassItMayBe) {
   EXPECT_LT(next->difference_now, 1e-6);
   EXPECT_TRUE(next->moves_sensor);
   EXPECT_EQ(next->channel, "acc1");
-  EXPECT_TRUE(is_telling(*next, floor));
+  EXPECT_TRUE(is_significant(*next, floor));
 }
 
 TEST_F(NextMeasurementTest, SaysWhenNoPointTells) {
@@ -109,7 +109,7 @@ TEST_F(NextMeasurementTest, SaysWhenNoPointTells) {
                                      with("added-mass", grid(9), 0.02),
                                      *fitter_);
   ASSERT_TRUE(next);
-  EXPECT_FALSE(is_telling(*next, floor));
+  EXPECT_FALSE(is_significant(*next, floor));
   EXPECT_NE(advice(*next, floor).find("no hit or sensor point"),
             std::string::npos);
 }

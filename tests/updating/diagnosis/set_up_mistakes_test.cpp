@@ -9,11 +9,11 @@
 namespace tapfit::updating {
 namespace {
 
-PlacedEffect moved(const std::string& channel,
-                   int written,
-                   int real,
-                   const std::vector<int>& runs = {}) {
-  Where where;
+EffectInstance moved(const std::string& channel,
+                     int written,
+                     int real,
+                     const std::vector<int>& runs = {}) {
+  Location where;
   where.channels = {channel};
   where.nodes = {written};
   where.node = real;
@@ -22,7 +22,7 @@ PlacedEffect moved(const std::string& channel,
 }
 
 TEST(SetUpMistakes, HitElsewhereIsNamed) {
-  const PlacedEffect hidden = moved("hammer", 52, 49);
+  const EffectInstance hidden = moved("hammer", 52, 49);
   const Diagnosis d = PlateExperiment({hidden}, 0.02, 1).diagnose_it();
   EXPECT_EQ(d.verdict, "point-mislabelled");
   ASSERT_EQ(d.set_up.size(), 1U);
@@ -33,7 +33,7 @@ TEST(SetUpMistakes, HitElsewhereIsNamed) {
 
 // Its FRFs are half of all.
 TEST(SetUpMistakes, SensorElsewhereIsNamed) {
-  const PlacedEffect hidden = moved("acc2", 36, 33);
+  const EffectInstance hidden = moved("acc2", 36, 33);
   const Diagnosis d = PlateExperiment({hidden}, 0.02, 2).diagnose_it();
   EXPECT_EQ(d.verdict, "point-mislabelled");
   ASSERT_EQ(d.set_up.size(), 1U);
@@ -41,7 +41,7 @@ TEST(SetUpMistakes, SensorElsewhereIsNamed) {
 }
 
 TEST(SetUpMistakes, SensorMovedOnTheWayIsNamedWithItsRuns) {
-  const PlacedEffect hidden = moved("acc2", 36, 33, {4, 5, 6});
+  const EffectInstance hidden = moved("acc2", 36, 33, {4, 5, 6});
   const Diagnosis d = PlateExperiment({hidden}, 0.02, 3).diagnose_it();
   EXPECT_EQ(d.verdict, "point-mislabelled");
   ASSERT_EQ(d.set_up.size(), 1U);
@@ -49,17 +49,17 @@ TEST(SetUpMistakes, SensorMovedOnTheWayIsNamedWithItsRuns) {
   EXPECT_EQ(d.set_up[0].edit, "runs[3-5].sensors[1].node: 36 -> 33");
 }
 
-PlacedEffect of_channel(const std::string& name,
-                        const std::string& channel,
-                        const std::string& variant) {
-  Where where;
+EffectInstance of_channel(const std::string& name,
+                          const std::string& channel,
+                          const std::string& variant) {
+  Location where;
   where.channels = {channel};
   where.variant = variant;
   return {&effects::find(name), where, {}};
 }
 
 TEST(SetUpMistakes, BlowFromTheOtherSideIsNamed) {
-  PlacedEffect hidden = of_channel("direction-wrong", "hammer", "-Z");
+  EffectInstance hidden = of_channel("direction-wrong", "hammer", "-Z");
   hidden.where.nodes = {28};
   const Diagnosis d = PlateExperiment({hidden}, 0.02, 6).diagnose_it();
   EXPECT_EQ(d.verdict, "direction-wrong");
@@ -70,7 +70,7 @@ TEST(SetUpMistakes, BlowFromTheOtherSideIsNamed) {
 
 TEST(SetUpMistakes, UnitsAreNamedWithTheirFactor) {
   for (const char* slip : {"1000", "9.807", "1/4.448", "25.4"}) {
-    const PlacedEffect hidden = of_channel("unit-factor", "acc2", slip);
+    const EffectInstance hidden = of_channel("unit-factor", "acc2", slip);
     const Diagnosis d = PlateExperiment({hidden}, 0.02, 7).diagnose_it();
     // A gain that is fitted may come as close.
     EXPECT_TRUE(d.verdict.starts_with("unit-factor")) << d.verdict;
@@ -82,13 +82,13 @@ TEST(SetUpMistakes, UnitsAreNamedWithTheirFactor) {
 }
 
 TEST(SetUpMistakes, QuantityAndRangeOfOneRunAreNamed) {
-  PlacedEffect velocity = of_channel("unit-factor", "acc1", "integrated");
+  EffectInstance velocity = of_channel("unit-factor", "acc1", "integrated");
   velocity.where.channels = {"acc1", "acc2"};
   const Diagnosis d = PlateExperiment({velocity}, 0.02, 8).diagnose_it();
   EXPECT_EQ(d.verdict, "unit-factor");
   ASSERT_EQ(d.set_up.size(), 1U);
   EXPECT_EQ(d.set_up[0].where, velocity.where);
-  PlacedEffect range = of_channel("unit-factor", "acc1", "3.162");
+  EffectInstance range = of_channel("unit-factor", "acc1", "3.162");
   range.where.runs = {4};
   const Diagnosis one = PlateExperiment({range}, 0.02, 9).diagnose_it();
   EXPECT_TRUE(one.verdict.starts_with("unit-factor")) << one.verdict;
@@ -97,7 +97,7 @@ TEST(SetUpMistakes, QuantityAndRangeOfOneRunAreNamed) {
 }
 
 TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
-  Where where;
+  Location where;
   where.nodes = {1, 12, 23, 34, 45};
   where.variant = "free";
   const PlateExperiment test(
@@ -114,7 +114,7 @@ TEST(SetUpMistakes, SupportThatWasNotThereIsNamed) {
 // Clamped in the test, free in the deck: springs in a row, or a modulus that is
 // off, come nowhere near it.
 TEST(SetUpMistakes, SupportThatTheDeckLacksIsNamed) {
-  Where where;
+  Location where;
   where.nodes = {1, 12, 23, 34, 45};
   where.variant = "held";
   const PlateExperiment test({{&effects::find("support-mismatch"), where, {}}},
@@ -157,7 +157,7 @@ TEST(SetUpMistakes, AreToBeCorrectedOneAfterTheOther) {
 }
 
 TEST(SetUpMistakes, AreFoundBesideAnEffect) {
-  Where grid;
+  Location grid;
   grid.node = 30;
   const PlateExperiment test(
       {{&effects::find("added-mass"), grid, {0.03}}, moved("hammer", 6, 9)},
@@ -172,7 +172,7 @@ TEST(SetUpMistakes, AreFoundBesideAnEffect) {
 }
 
 TEST(SetUpMistakes, AreNoneOnARightSheet) {
-  Where grid;
+  Location grid;
   grid.node = 30;
   const PlateExperiment test(
       {{&effects::find("added-mass"), grid, {0.03}}}, 0.02, 5);

@@ -1,6 +1,6 @@
 #include "tests/updating/support/hidden_in_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
-#include "updating/diagnosis/rung_search.hpp"
+#include "updating/diagnosis/forward_selection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,39 +12,40 @@ namespace {
 
 class Unite : public support::HiddenInPlate {
  protected:
-  [[nodiscard]] Where clamp(const std::string& variant) const {
-    Where where = effects::find("soft-support")
-                      .places(support::plate_setting(bundle_, deck_))
-                      .front();
+  [[nodiscard]] Location clamp(const std::string& variant) const {
+    Location where = effects::find("soft-support")
+                         .places(support::plate_context(bundle_, deck_))
+                         .front();
     where.variant = variant;
     return where;
   }
 
   // Each spring as soft as a fit would start from.
-  [[nodiscard]] PlacedEffect soft(const std::string& variant) const {
+  [[nodiscard]] EffectInstance soft(const std::string& variant) const {
     const effects::Effect& effect = effects::find("soft-support");
     StiffnessChange change;
     change.kind = ChangeKind::Support;
     change.of = {effect.name(), clamp(variant)};
-    PlacedEffect result{&effect, clamp(variant), {}};
+    EffectInstance result{&effect, clamp(variant), {}};
     for (const StiffnessTerm& term : builder_.build({}, {change}).terms) {
       result.p.push_back(term.start);
     }
     return result;
   }
 
-  [[nodiscard]] Fit fitted(const std::vector<PlacedEffect>& effects) const {
+  [[nodiscard]] Fit fitted(const std::vector<EffectInstance>& effects) const {
     return fitter_->fit(effects, fitter_->model_for(effects));
   }
 };
 
 TEST_F(Unite, TurningAndShiftingOfOneSupportAreOneEffect) {
-  const PlacedEffect both = soft("both");
+  const EffectInstance both = soft("both");
   ASSERT_EQ(both.p.size(), 2U);
   hide({both});
-  std::vector<Chosen> chosen = {{"soft-support", 1.0}, {"soft-support", 1.0}};
+  std::vector<SelectedEffect> chosen = {{"soft-support", 1.0},
+                                        {"soft-support", 1.0}};
   const Fit fit =
-      RungSearch(*fitter_, {})
+      ForwardSelection(*fitter_, {})
           .unite(
               fitted({soft("rotation"), soft("translation")}), 0, chosen, {});
   ASSERT_EQ(fit.effects.size(), 1U);
@@ -56,12 +57,13 @@ TEST_F(Unite, TurningAndShiftingOfOneSupportAreOneEffect) {
 }
 
 TEST_F(Unite, OtherEffectsStayApart) {
-  Where grid;
+  Location grid;
   grid.node = 31;
-  const PlacedEffect mass{&effects::find("added-mass"), grid, {0.02}};
+  const EffectInstance mass{&effects::find("added-mass"), grid, {0.02}};
   hide({soft("rotation"), mass});
-  std::vector<Chosen> chosen = {{"soft-support", 1.0}, {"added-mass", 1.0}};
-  const Fit fit = RungSearch(*fitter_, {})
+  std::vector<SelectedEffect> chosen = {{"soft-support", 1.0},
+                                        {"added-mass", 1.0}};
+  const Fit fit = ForwardSelection(*fitter_, {})
                       .unite(fitted({soft("rotation"), mass}), 0, chosen, {});
   ASSERT_EQ(fit.effects.size(), 2U);
   EXPECT_EQ(fit.effects[0].where.variant, "rotation");

@@ -11,7 +11,7 @@ namespace {
 // and of its offset, m a^2 / 6 + m (1.5 a)^2.
 TEST(AddedMass, TurnsNoFartherOutThanABodyReaches) {
   const Effect& mass = find("added-mass");
-  Where where{.node = 5};
+  Location where{.node = 5};
   const double m = 0.025;
   const double a = std::cbrt(m / 7850.0);
   const double post = m * a * a * (1.0 / 6.0 + 2.25);

@@ -54,7 +54,7 @@ class DeckEffects : public ::testing::Test {
   // A deck with its base, ready to respond.
   struct Model {
     structure::Deck deck;
-    effects::Setting setting;
+    effects::TestContext context;
     std::unique_ptr<BaseBuilder> builder;
     std::unique_ptr<Fitter> fitter;
   };
@@ -63,7 +63,7 @@ class DeckEffects : public ::testing::Test {
                                   bool split = false) const {
     auto m = std::make_unique<Model>();
     m->deck = deck;
-    m->setting = support::plate_setting(bundle_, m->deck);
+    m->context = support::plate_context(bundle_, m->deck);
     BaseOptions options = support::plate_base(bundle_, m->deck);
     options.split = split;
     m->builder = std::make_unique<BaseBuilder>(
@@ -71,8 +71,8 @@ class DeckEffects : public ::testing::Test {
         std::vector<acquisition::UncertainProperty>{},
         options,
         Progress{});
-    FitSetting fit;
-    fit.setting = m->setting;
+    FitProblem fit;
+    fit.context = m->context;
     fit.measured = pairs_;
     fit.targets = {make_target(pairs_)};
     m->fitter = std::make_unique<Fitter>(*m->builder, fit);
@@ -81,7 +81,7 @@ class DeckEffects : public ::testing::Test {
 
   // FRFs with next to no damping but what the effects and the deck have.
   MatrixXcd frfs(const Model& m,
-                 const std::vector<PlacedEffect>& effects) const {
+                 const std::vector<EffectInstance>& effects) const {
     const auto model = m.fitter->model_for(effects, BaseUse::Scan);
     ModelState state = m.fitter->first_state(*model, effects);
     state.zeta.setConstant(1e-12);
@@ -90,24 +90,25 @@ class DeckEffects : public ::testing::Test {
   }
 
   // The deck as `tapfit export` writes it.
-  structure::Deck with_cards(const Model& m, const PlacedEffect& e) const {
+  structure::Deck with_cards(const Model& m, const EffectInstance& e) const {
     const auto path = m.deck.path.parent_path() / "updated.bdf";
     structure::write_deck(
-        m.deck, e.effect->bulk_data(e.where, m.setting, e.p), path, {{}, true});
+        m.deck, e.effect->bulk_data(e.where, m.context, e.p), path, {{}, true});
     return structure::read_deck(path);
   }
 
   // The same with constraints that give way.
-  structure::Deck with_support(const Model& m, const PlacedEffect& soft) const {
+  structure::Deck with_support(const Model& m,
+                               const EffectInstance& soft) const {
     std::string written;
     for (const std::string& line : structure::edit_cards(
              m.deck.path,
              {structure::release_constraints(
-                 m.deck, soft.effect->released(soft.where, m.setting))})) {
+                 m.deck, soft.effect->released(soft.where, m.context))})) {
       written += line + "\n";
     }
     for (const std::string& card :
-         soft.effect->bulk_data(soft.where, m.setting, soft.p)) {
+         soft.effect->bulk_data(soft.where, m.context, soft.p)) {
       written += card + "\n";
     }
     return structure::read_deck(
@@ -119,9 +120,9 @@ class DeckEffects : public ::testing::Test {
   signal::FrfSet pairs_ = support::plate_pairs(bundle_, s_);
 };
 
-PlacedEffect at_node(const std::string& name,
-                     int node,
-                     const std::vector<double>& p) {
+EffectInstance at_node(const std::string& name,
+                       int node,
+                       const std::vector<double>& p) {
   return {&effects::find(name), {.node = node}, p};
 }
 
@@ -133,7 +134,7 @@ TEST_F(DeckEffects, CardsSayWhatTheEffectDoes) {
   const auto base = model_of(structure::deck_of(plate_cards(clamp)));
   const MatrixXcd before = frfs(*base, {});
   for (const int node : {30, 60, 20, 31}) {
-    for (const PlacedEffect& e :
+    for (const EffectInstance& e :
          {at_node("added-mass", node, {0.05}),
           at_node("ground-spring", node, {3e4}),
           at_node("dashpot", node, {7.0}),
@@ -151,7 +152,7 @@ TEST_F(DeckEffects, CardsSayWhatTheEffectDoes) {
 
 TEST_F(DeckEffects, DashpotOfTheDeckIsThatOfTheEffect) {
   const auto base = model_of(structure::deck_of(plate_cards(clamp)));
-  const PlacedEffect dashpot = at_node("dashpot", 30, {7.0});
+  const EffectInstance dashpot = at_node("dashpot", 30, {7.0});
   // One CDAMP2 of 7 or two that make 7, and the same as CDAMP1 and CBUSH.
   for (const char* cards :
        {"CDAMP2,901,7.,30,3\n",
@@ -168,8 +169,8 @@ TEST_F(DeckEffects, DashpotOfTheDeckIsThatOfTheEffect) {
 TEST_F(DeckEffects, DerivativesKnowTheDecksDashpots) {
   const auto m = model_of(structure::deck_of(
       plate_cards(clamp) + "CDAMP2,901,7.,30,3\nCDAMP2,902,3.,11,3,60,1\n"));
-  const std::vector<PlacedEffect> effects = {at_node("dashpot", 20, {2.0}),
-                                             at_node("added-mass", 60, {0.03})};
+  const std::vector<EffectInstance> effects = {
+      at_node("dashpot", 20, {2.0}), at_node("added-mass", 60, {0.03})};
   const auto model = m->fitter->model_for(effects, BaseUse::Scan);
   const ModelState state = m->fitter->first_state(*model, effects);
   const ModelResponse whole = model->respond(state, s_, true);
@@ -194,8 +195,8 @@ TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
       "GRID,70,,-.02,.06,.01\nRBE2,901,70,123456,1,12,23,34\n,45\n";
   const auto held =
       model_of(structure::deck_of(plate_cards(root + "SPC1,1,123456,70\n")));
-  PlacedEffect soft{&effects::find("soft-support"), {}, {}};
-  for (const Where& where : soft.effect->places(held->setting)) {
+  EffectInstance soft{&effects::find("soft-support"), {}, {}};
+  for (const Location& where : soft.effect->places(held->context)) {
     if (where.variant == "rotation") soft.where = where;
   }
   ASSERT_EQ(soft.where.nodes, std::vector<int>{70});
@@ -225,8 +226,8 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
   const std::string first = "GRID,1,,0.00,0.00,0.,";
   text.replace(text.find(first), first.size(), first + ",123456");
   const auto held = model_of(structure::deck_of(text));
-  PlacedEffect soft{&effects::find("soft-support"), {}, {}};
-  for (const Where& where : soft.effect->places(held->setting)) {
+  EffectInstance soft{&effects::find("soft-support"), {}, {}};
+  for (const Location& where : soft.effect->places(held->context)) {
     if (where.variant == "rotation") soft.where = where;
   }
   ASSERT_EQ(soft.where.nodes.size(), 5U);
@@ -238,7 +239,7 @@ TEST_F(DeckEffects, SoftSupportReadBackGivesTheSameFrfs) {
                            "translation-varying"}) {
     soft.where.variant = form;
     soft.p = {1.0};
-    if (soft.effect->parameters(soft.where, held->setting).size() == 2) {
+    if (soft.effect->parameters(soft.where, held->context).size() == 2) {
       soft.p.push_back(1.0);
     }
     const auto base = held->fitter->model_for({soft}, BaseUse::Scan);
@@ -265,11 +266,11 @@ TEST_F(DeckEffects, SoftFaceWithARibReadBackGivesTheSameFrfs) {
       "SPC1,1,123456,1,12,23,34,45\nPBAR,7,1,4.-5,2.-10,3.-10,4.-10\n"
       "CBAR,801,7,23,24,0.,0.,1.\n,,,0.,0.,.006,0.,0.,.006\n"
       "CBAR,802,7,24,25,0.,0.,1.\n,,,0.,0.,.006,0.,0.,.006\n")));
-  PlacedEffect soft{&effects::find("soft-support"), {}, {1.0}};
-  for (const Where& where : soft.effect->places(held->setting)) {
+  EffectInstance soft{&effects::find("soft-support"), {}, {1.0}};
+  for (const Location& where : soft.effect->places(held->context)) {
     if (where.variant == "rotation") soft.where = where;
   }
-  ASSERT_TRUE(soft.effect->takes("face", soft.where, held->setting));
+  ASSERT_TRUE(soft.effect->takes("face", soft.where, held->context));
   soft.where.variant = "face";
   const auto base = held->fitter->model_for({soft}, BaseUse::Scan);
   ASSERT_EQ(base->base().terms.size(), 1U);
@@ -315,17 +316,17 @@ TEST_F(DeckEffects, JointReadBackGivesTheSameFrfs) {
       }
     }
     const auto whole = model_of(structure::deck_of(text));
-    PlacedEffect joint{&effects::find("joint"), {}, {1.0}};
+    EffectInstance joint{&effects::find("joint"), {}, {1.0}};
     joint.where.nodes = {5, 16, 27, 38, 49};
     const StiffnessTerm term =
         whole->fitter->model_for({joint}, BaseUse::Scan)->base().terms.front();
     for (const double k : {term.lower, term.start}) {
       joint.p = {k};
-      const JointLine line = effects::joint_at(joint.where, whole->setting);
+      const JointLine line = effects::joint_at(joint.where, whole->context);
       const effects::JointCards cards =
           effects::joint_cards(whole->deck, line, k);
       EXPECT_EQ(cards.added,
-                joint.effect->bulk_data(joint.where, whole->setting, joint.p));
+                joint.effect->bulk_data(joint.where, whole->context, joint.p));
       const structure::Deck written = with_joint(whole->deck, cards, line);
       const auto jointed = model_of(written);
       EXPECT_TRUE(jointed->deck.warnings.empty())
@@ -352,9 +353,9 @@ TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
       "CBAR,801,8,33,201,1.,0.,0.\nCBAR,802,8,201,202,1.,0.,0.\n"
       "CBAR,803,8,202,55,1.,0.,0.\n";
   const auto whole = model_of(structure::deck_of(text));
-  PlacedEffect joint{&effects::find("joint"), {}, {2.0}};
+  EffectInstance joint{&effects::find("joint"), {}, {2.0}};
   joint.where.nodes = {201};
-  effects::Setting along_x = whole->setting;
+  effects::TestContext along_x = whole->context;
   along_x.component = 1;
   const JointLine line = effects::joint_at(joint.where, along_x);
   ASSERT_EQ(line.side.size(), 1U);

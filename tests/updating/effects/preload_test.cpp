@@ -47,11 +47,11 @@ MatrixXd expected(const Deck& deck, const std::map<int, double>& tension) {
   return K;
 }
 
-Where at(const std::vector<int>& elements, const std::string& variant = "") {
+Location at(const std::vector<int>& elements, const std::string& variant = "") {
   return {.elements = elements, .variant = variant};
 }
 
-Preload preload_of(const Deck& deck, const Where& where) {
+Preload preload_of(const Deck& deck, const Location& where) {
   return preload(deck, structure::assemble(deck), where.elements, where);
 }
 
@@ -78,7 +78,7 @@ Deck beam(bool both_ends) {
 // A wire at the tip pulls at all of a cantilever, and holds the tip across.
 TEST(Preload, WireAtTheTipPullsAtAllOfIt) {
   const Deck deck = beam(false);
-  const Where all = at({1, 2, 3, 4});
+  const Location all = at({1, 2, 3, 4});
   const Preload unit = preload_of(deck, all);
   expect_same(unit.along,
               expected(deck, {{1, 1.0}, {2, 1.0}, {3, 1.0}, {4, 1.0}}),
@@ -102,7 +102,7 @@ TEST(Preload, HeldMemberCarriesOneForceThroughout) {
       expected(deck, {{1, 1.0}, {2, 1.0}, {3, 1.0}, {4, 1.0}});
   expect_same(pulled.along, exact, 1e-6);
   EXPECT_EQ(pulled.side.size(), 0);
-  const Where pushed = at({1, 2, 3, 4}, "compression");
+  const Location pushed = at({1, 2, 3, 4}, "compression");
   EXPECT_TRUE(can_carry(deck, pushed));
   expect_same(preload_of(deck, pushed).along, -exact, 1e-6);
 }

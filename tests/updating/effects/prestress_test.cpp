@@ -27,28 +27,28 @@ std::string bar_text(bool both) {
   return text;
 }
 
-Setting setting_of(const structure::Deck& deck) {
-  Setting setting;
-  setting.deck = &deck;
-  return setting;
+TestContext context_of(const structure::Deck& deck) {
+  TestContext context;
+  context.deck = &deck;
+  return context;
 }
 
 TEST(Prestress, IsPulledWhereAnEndIsLooseAndPushedWhereNoneIs) {
   const structure::Deck loose =
       structure::deck_of(bar_text(false) + "ENDDATA\n");
   const Effect& effect = prestress();
-  const std::vector<Where> wire = effect.places(setting_of(loose));
+  const std::vector<Location> wire = effect.places(context_of(loose));
   ASSERT_EQ(wire.size(), 1U);
   EXPECT_EQ(wire[0].elements, (std::vector<int>{1, 2, 3, 4}));
-  EXPECT_EQ(effect.parameters(wire[0], setting_of(loose)).size(), 2U);
+  EXPECT_EQ(effect.parameters(wire[0], context_of(loose)).size(), 2U);
 
   const structure::Deck held = structure::deck_of(bar_text(true) + "ENDDATA\n");
-  const std::vector<Where> both = effect.places(setting_of(held));
+  const std::vector<Location> both = effect.places(context_of(held));
   ASSERT_EQ(both.size(), 2U);
   EXPECT_EQ(both[0].variant, "");
   EXPECT_EQ(both[1].variant, "compression");
-  const auto pulled = effect.parameters(both[0], setting_of(held));
-  const auto pushed = effect.parameters(both[1], setting_of(held));
+  const auto pulled = effect.parameters(both[0], context_of(held));
+  const auto pushed = effect.parameters(both[1], context_of(held));
   ASSERT_EQ(pulled.size(), 1U);
   ASSERT_EQ(pushed.size(), 1U);
   EXPECT_EQ(pulled[0].sign, 1.0);
@@ -59,10 +59,10 @@ TEST(Prestress, DeckHasTheStiffnessOfTheModel) {
   const structure::Deck deck =
       structure::deck_of(bar_text(false) + "ENDDATA\n");
   const Effect& effect = prestress();
-  const Where where = effect.places(setting_of(deck)).front();
+  const Location where = effect.places(context_of(deck)).front();
   std::string text = bar_text(false);
   for (const std::string& card :
-       effect.bulk_data(where, setting_of(deck), {1500.0, 1000.0})) {
+       effect.bulk_data(where, context_of(deck), {1500.0, 1000.0})) {
     text += card + "\n";
   }
   const structure::Deck read = structure::deck_of(text + "ENDDATA\n");
@@ -80,8 +80,8 @@ TEST(Prestress, SecondMatrixIsLeftToTheUser) {
   deck.stiffness_terms.push_back({{1, 1}, {3, 3}, 5.0});
   const Effect& effect = prestress();
   for (const std::string& card :
-       effect.bulk_data(effect.places(setting_of(deck)).front(),
-                        setting_of(deck),
+       effect.bulk_data(effect.places(context_of(deck)).front(),
+                        context_of(deck),
                         {1500.0, 1000.0})) {
     EXPECT_TRUE(card.starts_with("$")) << card;
   }

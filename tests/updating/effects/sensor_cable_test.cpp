@@ -19,10 +19,10 @@ TEST(SensorCable, CardsOfASkewOneAreAlongTheClosestAxis) {
   deck.measuring = {point};
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.runs.front().sensors = {{1, {-5, 3, 1}}};
-  const Where where{.channels = {"acc1"}};
+  const Location where{.channels = {"acc1"}};
   std::string text;
   for (const std::string& card : sensor_cable().bulk_data(
-           where, support::plate_setting(bundle, deck), {100.0, 1.0})) {
+           where, support::plate_context(bundle, deck), {100.0, 1.0})) {
     text += card + "\n";
   }
   EXPECT_NE(text.find("100.0000,30,1\n"), std::string::npos) << text;

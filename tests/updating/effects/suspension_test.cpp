@@ -39,22 +39,22 @@ class HungFree : public ::testing::Test {
     options.points = {6 * 20 + 2};
     const updating::BaseBuilder builder(deck_, {}, options, Progress{});
     elastic_hz_ = builder.elastic_hz();
-    setting_.deck = &deck_;
-    setting_.mass_kg = builder.mass_kg();
-    setting_.low_hz = 20.0;
-    setting_.suspension = std::make_shared<const Suspension>(
+    context_.deck = &deck_;
+    context_.mass_kg = builder.mass_kg();
+    context_.low_hz = 20.0;
+    context_.suspension = std::make_shared<const Suspension>(
         Suspension{hung_hz, builder.rigid_modes()});
   }
 
   [[nodiscard]] ParameterSpec spring(int node,
                                      const std::vector<double>& at = {}) const {
     return find("ground-spring")
-        .parameters({.node = node, .at = at}, setting_)
+        .parameters({.node = node, .at = at}, context_)
         .front();
   }
 
   structure::Deck deck_ = structure::deck_of(hung_text(""));
-  Setting setting_;
+  TestContext context_;
   double elastic_hz_ = 0.0;
 };
 
@@ -85,14 +85,14 @@ TEST_F(HungFree, TheStiffestSpringMakesARigidBodyModeOfThatFrequency) {
 }
 
 TEST_F(HungFree, NothingIsBoundWhereNothingIsKnown) {
-  setting_.suspension = nullptr;
+  context_.suspension = nullptr;
   const double usual =
-      10.0 * setting_.mass_kg * std::pow(two_pi * setting_.high_hz, 2);
+      10.0 * context_.mass_kg * std::pow(two_pi * context_.high_hz, 2);
   EXPECT_DOUBLE_EQ(spring(21).upper, usual);
 }
 
 TEST_F(HungFree, TheFirstElasticModeIsNoRigidOne) {
-  EXPECT_EQ(setting_.suspension->rigid.cols(), 2);
+  EXPECT_EQ(context_.suspension->rigid.cols(), 2);
   // Euler-Bernoulli, free at both ends.
   const double b = 4.730040745;
   const double closed =

@@ -12,11 +12,13 @@
 namespace tapfit::updating {
 namespace {
 
-PlacedEffect at_grid(const Fitter& fitter, const std::string& name, int node) {
-  Where where;
+EffectInstance at_grid(const Fitter& fitter,
+                       const std::string& name,
+                       int node) {
+  Location where;
   where.node = node;
   where.variant = "Z";
-  return placed(effects::find(name), where, fitter.setting().setting);
+  return placed(effects::find(name), where, fitter.problem().context);
 }
 
 // A mass of 50 g that the deck lacks, looked for as itself, beside where it is,
@@ -24,7 +26,7 @@ PlacedEffect at_grid(const Fitter& fitter, const std::string& name, int node) {
 class Approach : public ::testing::Test {
  protected:
   Approach() {
-    Where where;
+    Location where;
     where.node = 25;
     hidden_ = {{&effects::find("added-mass"), where, {0.05}}};
     test_.emplace(hidden_, 0.005, 5);
@@ -32,14 +34,14 @@ class Approach : public ::testing::Test {
     for (const int node : {25, 27}) {
       where.node = node;
       tries_.push_back(
-          placed(effects::find("added-mass"), where, fitter.setting().setting));
+          placed(effects::find("added-mass"), where, fitter.problem().context));
     }
     tries_.push_back(at_grid(fitter, "absorber", 25));
     tries_.push_back(at_grid(fitter, "dashpot", 25));
   }
-  std::vector<PlacedEffect> hidden_;
+  std::vector<EffectInstance> hidden_;
   std::optional<PlateExperiment> test_;
-  std::vector<PlacedEffect> tries_;
+  std::vector<EffectInstance> tries_;
 };
 
 // The end leaves no more, and is not likelier by what hypotheses are dropped
@@ -47,7 +49,7 @@ class Approach : public ::testing::Test {
 // farthest.
 TEST_F(Approach, TellsHowLikelyTheEndIs) {
   const Fitter& fitter = test_->fitter();
-  for (const PlacedEffect& effect : tries_) {
+  for (const EffectInstance& effect : tries_) {
     const Fit begun = fitter.approach({effect}, fitter.model_for({effect}));
     const Fit end = fitter.arrive(begun);
     const bool far = effect.effect->name() == "absorber";
@@ -59,7 +61,7 @@ TEST_F(Approach, TellsHowLikelyTheEndIs) {
 
 TEST_F(Approach, AndArrivalEndWhereAFitDoes) {
   const Fitter& fitter = test_->fitter();
-  for (const PlacedEffect& effect : tries_) {
+  for (const EffectInstance& effect : tries_) {
     const auto model = fitter.model_for({effect});
     const Fit whole = fitter.fit({effect}, model);
     const Fit parted = fitter.arrive(fitter.approach({effect}, model));

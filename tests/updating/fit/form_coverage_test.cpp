@@ -87,7 +87,7 @@ void add_noise(const Eigen::MatrixXcd& H,
 
 // What a hammer test of a model with these factors measures.
 std::vector<signal::FrfSet> measure(const BaseBuilder& builder,
-                                    FitSetting setting,
+                                    FitProblem problem,
                                     const std::vector<double>& factor,
                                     SeededRandom& random) {
   Eigen::VectorXd zeta(40);  // more than modes that are measured
@@ -95,11 +95,11 @@ std::vector<signal::FrfSet> measure(const BaseBuilder& builder,
   std::vector<signal::FrfSet> sets;
   for (const double width : widths) {
     signal::FrfSet set = support::plate_pairs(
-        *setting.setting.bundle,
+        *problem.context.bundle,
         damped_line(support::frame_band_hz, 1.0, {width, 120}));
-    setting.measured = set;
-    setting.targets = {make_target(set)};
-    const Fitter truth(builder, setting);
+    problem.measured = set;
+    problem.targets = {make_target(set)};
+    const Fitter truth(builder, problem);
     const auto model = truth.model_for({});
     ModelState state = truth.first_state(*model, {});
     state.factor = factor;
@@ -110,31 +110,31 @@ std::vector<signal::FrfSet> measure(const BaseBuilder& builder,
   return sets;
 }
 
-FitSetting setting_of(const support::BasedFrame& base) {
-  FitSetting setting;
-  setting.setting = base.setting();
-  setting.uncertain_sd = {sd_of_E};
+FitProblem problem_of(const support::BasedFrame& base) {
+  FitProblem problem;
+  problem.context = base.context();
+  problem.uncertain_sd = {sd_of_E};
   for (const Correction& c : base.corrections) {
-    setting.uncertain_sd.push_back(c.sd);
+    problem.uncertain_sd.push_back(c.sd);
   }
-  setting.corrections = base.corrections;
-  setting.damping_ratio = typical_zeta;
-  return setting;
+  problem.corrections = base.corrections;
+  problem.damping_ratio = typical_zeta;
+  return problem;
 }
 
 // Without effects, as every diagnosis begins.
 Fit fit_frame(const support::BasedFrame& base,
               const std::vector<signal::FrfSet>& measured) {
-  FitSetting setting = setting_of(base);
+  FitProblem problem = problem_of(base);
   for (const signal::FrfSet& set : measured) {
-    setting.targets.push_back(make_target(set));
+    problem.targets.push_back(make_target(set));
   }
-  setting.measured = measured.back();
-  Fitter fitter(base.builder, setting);
+  problem.measured = measured.back();
+  Fitter fitter(base.builder, problem);
   const auto model = fitter.model_for({});
   fitter.set_mesh(base.coarse,
                   mesh_error(*model,
-                             *Fitter(base.coarse, setting).model_for({}),
+                             *Fitter(base.coarse, problem).model_for({}),
                              fitter.first_state(*model, {}),
                              fitter.target()));
   return fitter.fit({}, fitter.model_for({}));
@@ -149,7 +149,7 @@ TEST(FormCoverage, IntervalsHold) {
     SeededRandom random(seed, "frame");
     const std::vector<double> truth = draw_factors(base, random);
     const Fit fit =
-        fit_frame(base, measure(base.builder, setting_of(base), truth, random));
+        fit_frame(base, measure(base.builder, problem_of(base), truth, random));
     for (std::size_t k = 0; k < truth.size(); ++k) {
       const auto at = static_cast<Index>(k);
       const double sd = std::sqrt(fit.result.covariance(at, at));
@@ -196,10 +196,10 @@ TEST(FormCoverage, FramesBuiltThatWayAreFitted) {
     const Deck deck = built(base.deck, truth);
     acquisition::TestBundle bundle = base.bundle;
     bundle.uncertain.clear();
-    FitSetting plain;
-    plain.setting = base.setting();
-    plain.setting.deck = &deck;
-    plain.setting.bundle = &bundle;
+    FitProblem plain;
+    plain.context = base.context();
+    plain.context.deck = &deck;
+    plain.context.bundle = &bundle;
     plain.damping_ratio = typical_zeta;
     const BaseBuilder builder = support::frame_builder(deck, bundle, true);
     const Fit fit = fit_frame(base, measure(builder, plain, {}, random));

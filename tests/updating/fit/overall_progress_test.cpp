@@ -1,6 +1,6 @@
 #include "updating/fit/overall_progress.hpp"
 
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(OverallProgress, PutsAPartIntoTheWhole) {
 
 TEST(OverallProgress, NeverFalls) {
   std::vector<double> seen;
-  const Progress whole = never_falling(
+  const Progress whole = monotonic(
       {[&seen](std::string_view, double share) { seen.push_back(share); }, {}});
   const Progress copy = whole;
   whole("fitting", 0.5);
@@ -45,18 +45,18 @@ TEST(OverallProgress, NumbersStagesFromTheSecondRoundOn) {
 
 // A diagnosis fits many hypotheses: who watches one fit does not want them.
 TEST(OverallProgress, IsWatchedWhereThatIsAskedFor) {
-  FitWatch watch;
-  watch.enough = [] { return true; };
-  const Progress whole{{}, {}, std::make_shared<const FitWatch>(watch)};
-  EXPECT_TRUE(is_enough(watched_part(whole, 0.0, 0.5)));
+  FitObserver observer;
+  observer.enough = [] { return true; };
+  const Progress whole{{}, {}, std::make_shared<const FitObserver>(observer)};
+  EXPECT_TRUE(is_enough(observed_part(whole, 0.0, 0.5)));
   EXPECT_FALSE(is_enough(part_of(whole, 0.0, 0.5)));
   EXPECT_FALSE(is_enough(numbered(whole, "rung", 1)));
-  EXPECT_FALSE(is_enough(never_falling(whole)));
+  EXPECT_FALSE(is_enough(monotonic(whole)));
 }
 
 TEST(OverallProgress, StopsAsTheWholeDoes) {
   std::stop_source source;
-  const Progress part = part_of(never_falling({{}, source.get_token()}), 0, 1);
+  const Progress part = part_of(monotonic({{}, source.get_token()}), 0, 1);
   part("fitting", 0.5);
   source.request_stop();
   EXPECT_THROW(part("fitting", 0.5), Stopped);

@@ -14,8 +14,8 @@
 namespace tapfit::updating {
 namespace {
 
-PlacedEffect mass_at(int node, double kg) {
-  Where where;
+EffectInstance mass_at(int node, double kg) {
+  Location where;
   where.node = node;
   return {&effects::find("added-mass"), where, {kg}};
 }
@@ -44,7 +44,7 @@ PlainTask task_of(const Fitter& fitter, std::optional<double> lambda) {
 }
 
 Fit plain(const PlateExperiment& test,
-          const std::vector<PlacedEffect>& start,
+          const std::vector<EffectInstance>& start,
           std::optional<double> lambda) {
   const Fitter& fitter = test.fitter();
   return plain_fit(fitter,
@@ -110,7 +110,7 @@ TEST(PlainFitTest, GoesOnFromTheFitBefore) {
   const PlateExperiment test({mass_at(30, 0.02), mass_at(9, 3e-4)}, 1e-4, 3);
   const Fitter& fitter = test.fitter();
   const Fit before = plain(test, {mass_at(30, 0.005)}, 0.0);
-  std::vector<PlacedEffect> effects = before.effects;
+  std::vector<EffectInstance> effects = before.effects;
   effects.push_back(mass_at(9, 0.005));
   PlainTask task = task_of(fitter, 0.0);
   task.options.max_iterations = 1;
@@ -129,9 +129,9 @@ TEST(PlainFitTest, GoesOnFromTheFitBefore) {
 TEST(PlainFitTest, KeepsTheModelBeforeWhereAllElseIsWorse) {
   const PlateExperiment test({mass_at(30, 0.02)}, 0.01, 3);
   const Fitter& fitter = test.fitter();
-  const std::vector<PlacedEffect> one = {mass_at(30, 0.005)};
+  const std::vector<EffectInstance> one = {mass_at(30, 0.005)};
   const Fit before = fitter.fit(one, fitter.model_for(one));
-  std::vector<PlacedEffect> effects = before.effects;
+  std::vector<EffectInstance> effects = before.effects;
   effects.push_back(mass_at(9, 0.005));
   PlainTask task = task_of(fitter, 0.0);
   task.target.H *= -1.0;  // nothing that the model could be
@@ -153,10 +153,10 @@ TEST(PlainFitTest, KeepsTheModelBeforeWhereAllElseIsWorse) {
 // Half as much again as the plate weighs, the most that a mass may be.
 TEST(PlainFitTest, HandsNothingOnThatNoStructureCanHave) {
   const PlateExperiment blank({}, 0.01, 3);
-  const double most = blank.fitter().setting().setting.mass_kg;
+  const double most = blank.fitter().problem().context.mass_kg;
   const PlateExperiment test({mass_at(30, 1.5 * most)}, 0.01, 3);
   const Fitter& fitter = test.fitter();
-  const std::vector<PlacedEffect> start = {mass_at(30, 0.9 * most)};
+  const std::vector<EffectInstance> start = {mass_at(30, 0.9 * most)};
   const auto model = fitter.model_for(start);
   const PlainTask task = task_of(fitter, 0.0);
   ModelState first = fitter.start_state(*model, start);

@@ -8,8 +8,8 @@
 #include "updating/fit/prior_l_curve.hpp"
 #include "updating/fit/update_record.hpp"
 #include "updating/localisation/find_signature.hpp"
+#include "updating/localisation/localisation_map.hpp"
 #include "updating/localisation/signature.hpp"
-#include "updating/localisation/signature_map.hpp"
 
 #include <gtest/gtest.h>
 
@@ -22,14 +22,14 @@ namespace {
 
 using Eigen::Index;
 
-PlacedEffect at_node(const std::string& name, int node, double p) {
-  Where where;
+EffectInstance at_node(const std::string& name, int node, double p) {
+  Location where;
   where.node = node;
   return {&effects::find(name), where, {p}};
 }
 
-PlacedEffect both_sensors(double mass) {
-  Where where;
+EffectInstance both_sensors(double mass) {
+  Location where;
   where.channels = {"acc1", "acc2"};
   return {&effects::find("sensor-mass"), where, {mass}};
 }
@@ -40,7 +40,7 @@ PlacedEffect both_sensors(double mass) {
 // tell the others' to no better than that. With 4 % there the FRFs were 3.7 %
 // off and the dashpot 13 %.
 TEST(UpdaterTest, WhatADashpotAddsIsNotTheStructuresOwnDamping) {
-  const std::vector<PlacedEffect> dashpot = {at_node("dashpot", 28, 6.0)};
+  const std::vector<EffectInstance> dashpot = {at_node("dashpot", 28, 6.0)};
   const PlateExperiment test(dashpot, 1e-3, 5, 0.04);
   const Fit fit = test.fitter().fit(dashpot, test.fitter().model_for(dashpot));
   EXPECT_GT(fit.result.state.zeta_other, 0.004);
@@ -51,7 +51,7 @@ TEST(UpdaterTest, WhatADashpotAddsIsNotTheStructuresOwnDamping) {
 
 TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};
+  const std::vector<EffectInstance> start = {at_node("added-mass", 30, 0.005)};
   const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
   EXPECT_TRUE(fit.result.converged);
   // 1 % noise on 12 FRFs x 120 lines leaves far less than this.
@@ -73,13 +73,14 @@ TEST(UpdaterTest, RecoversMassModulusAndNeverWorsens) {
 // A fit that is cut short goes on from where the one before it ended.
 TEST(UpdaterTest, OneMoreEffectIsNoWorseThanWithoutIt) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.005)};
+  std::vector<EffectInstance> effects = {at_node("added-mass", 30, 0.005)};
   const Fit before = test.fitter().fit(effects, test.fitter().model_for({}));
   effects.push_back(at_node("added-mass", 9, 0.005));
   const auto model = test.fitter().model_for(effects);
-  FitWatch watch;
-  watch.enough = [] { return true; };
-  const Progress impatient{{}, {}, std::make_shared<const FitWatch>(watch)};
+  FitObserver observer;
+  observer.enough = [] { return true; };
+  const Progress impatient{
+      {}, {}, std::make_shared<const FitObserver>(observer)};
   const Fit alone = test.fitter().fit(effects, model, impatient);
   EXPECT_GT(alone.result.error, 1.005 * before.result.error);
   const Fit after = test.fitter().fit(effects, model, impatient, &before);
@@ -89,14 +90,15 @@ TEST(UpdaterTest, OneMoreEffectIsNoWorseThanWithoutIt) {
 
 TEST(UpdaterTest, AWatchSeesTheFitSlideOntoTheMeasurement) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};
+  const std::vector<EffectInstance> start = {at_node("added-mass", 30, 0.005)};
   std::vector<LiveFit> seen;
-  FitWatch watch;
-  watch.step = [&seen](const FitMoment& moment) {
+  FitObserver observer;
+  observer.step = [&seen](const IterationSummary& summary) {
     seen.push_back(live_fit(
-        moment, seen.empty() ? std::nullopt : std::optional(seen[0].frf)));
+        summary, seen.empty() ? std::nullopt : std::optional(seen[0].frf)));
   };
-  const Progress progress{{}, {}, std::make_shared<const FitWatch>(watch)};
+  const Progress progress{
+      {}, {}, std::make_shared<const FitObserver>(observer)};
   const Fit fit =
       test.fitter().fit(start, test.fitter().model_for(start), progress);
   ASSERT_GT(seen.size(), 3U);
@@ -127,7 +129,7 @@ TEST(UpdaterTest, AWatchSeesTheFitSlideOntoTheMeasurement) {
 // The fit's own answer is the point of the curve at the prior's lambda.
 TEST(UpdaterTest, ThePriorsLambdaIsAPointOfTheLCurve) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, 3);
-  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.01)};
+  const std::vector<EffectInstance> start = {at_node("added-mass", 30, 0.01)};
   const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
   const std::optional<LCurve> curve = prior_l_curve(fit.result);
   ASSERT_TRUE(curve && curve->used);
@@ -151,7 +153,8 @@ TEST(UpdaterTest, StatedIntervalsHoldTheTruth) {
   const int trials = 40;
   for (unsigned seed = 0; seed < trials; ++seed) {
     const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.05, seed);
-    const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.015)};
+    const std::vector<EffectInstance> start = {
+        at_node("added-mass", 30, 0.015)};
     const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
     const auto last = fit.result.covariance.rows() - 1;
     const double sd = std::sqrt(fit.result.covariance(last, last));
@@ -178,7 +181,7 @@ TEST(DiagnoseTest, FindsAnAddedMassAtItsGrid) {
 
 // A body of 30 g, 13 mm off the plate: its inertia turns with it.
 TEST(DiagnoseTest, FindsTheInertiaOfAMassThatStandsOff) {
-  PlacedEffect post = at_node("added-mass", 30, 0.03);
+  EffectInstance post = at_node("added-mass", 30, 0.03);
   post.where.variant = "rotary";
   post.p.push_back(5e-6);
   const PlateExperiment test({post}, 0.01, 1);
@@ -204,7 +207,7 @@ TEST(DiagnoseTest, FindsTheSensorsMass) {
 
 // Two sensors of 30 g, 15 mm off the middle of the plate.
 TEST(DiagnoseTest, FindsTheInertiaOfSensorsThatStandOff) {
-  PlacedEffect sensors = both_sensors(0.03);
+  EffectInstance sensors = both_sensors(0.03);
   sensors.where.variant = "rotary";
   const PlateExperiment test({sensors}, 0.01, 2);
   const Diagnosis d = test.diagnose_it();
@@ -222,7 +225,7 @@ TEST(DiagnoseTest, FindsTheInertiaOfSensorsThatStandOff) {
 
 // A spacing is 30 mm; the nearest grid is a third of it away.
 TEST(DiagnoseTest, FindsAMassBetweenGrids) {
-  PlacedEffect mass = at_node("added-mass", 30, 0.03);
+  EffectInstance mass = at_node("added-mass", 30, 0.03);
   const structure::Deck deck = support::plate_deck(true);
   const Eigen::Vector3d grid = position_of(mass.where, deck);
   const Eigen::Vector3d at = grid + Eigen::Vector3d(0.010, 0.006, 0.0);
@@ -243,7 +246,7 @@ TEST(DiagnoseTest, FindsAMassBetweenGrids) {
 // Over two of the four elements of the plate's width: its tip is the third
 // grid.
 TEST(DiagnoseTest, FindsACrackThatEndsInThePlate) {
-  PlacedEffect crack{&effects::find("joint"), {}, {1e6}};
+  EffectInstance crack{&effects::find("joint"), {}, {1e6}};
   crack.where.nodes = {5, 16, 27};
   crack.where.variant = updating::crack;
   const PlateExperiment test({crack}, 0.01, 2);
@@ -257,7 +260,7 @@ TEST(DiagnoseTest, FindsACrackThatEndsInThePlate) {
 }
 
 TEST(DiagnoseTest, FindsSwappedChannels) {
-  Where both;
+  Location both;
   both.channels = {"acc1", "acc2"};
   const PlateExperiment test(
       {{&effects::find("channel-swap"), both, {}}}, 0.02, 7);
@@ -317,7 +320,7 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
   // Local flexibility beyond the base's modes is a few percent of a mass.
   EXPECT_NEAR(s.mass_kg, 0.02, 0.002);
   const std::vector<GridShare> map =
-      signature_map(at_truth, test.fitter().target(), {});
+      localisation_map(at_truth, test.fitter().target(), {});
   EXPECT_EQ(map.size(), 50U);  // those of the clamp cannot move
   EXPECT_EQ(map.front().node, 30);
   EXPECT_NEAR(map.front().explained, s.explained, 1e-9);
@@ -326,10 +329,10 @@ TEST(SignatureTest, ShowsAMassAtTheRightGrid) {
 
 TEST(UpdateRecordTest, NamesParametersAndCorrelatesThem) {
   const PlateExperiment test({at_node("added-mass", 30, 0.02)}, 0.01, 3);
-  const std::vector<PlacedEffect> start = {at_node("added-mass", 30, 0.005)};
+  const std::vector<EffectInstance> start = {at_node("added-mass", 30, 0.005)};
   const Fit fit = test.fitter().fit(start, test.fitter().model_for(start));
   const UpdateRecord record = record_of(
-      fit, test.fitter().setting().setting, {{"E:1", "Pa", 70e9}}, "lines");
+      fit, test.fitter().problem().context, {{"E:1", "Pa", 70e9}}, "lines");
   EXPECT_EQ(record.parameters,
             (std::vector<std::string>{"E:1", "added-mass mass_kg"}));
   ASSERT_EQ(record.steps.size(), fit.result.history.size());

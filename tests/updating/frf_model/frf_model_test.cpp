@@ -25,10 +25,11 @@ TEST_F(FrfModelTest, BaseAgreesWithDirectSolve) {
 }
 
 TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
-  const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
-                                             at_node("ground-spring", 50, 3e4),
-                                             at_node("dashpot", 20, 7.0),
-                                             sensors(0.01, 0.02)};
+  const std::vector<EffectInstance> effects = {
+      at_node("added-mass", 30, 0.05),
+      at_node("ground-spring", 50, 3e4),
+      at_node("dashpot", 20, 7.0),
+      sensors(0.01, 0.02)};
   const auto model = fitter_->model_for(effects, BaseUse::Scan);
   const MatrixXcd H =
       model->respond(undamped_state(*fitter_, *model, effects), s_, false).H;
@@ -43,7 +44,7 @@ TEST_F(FrfModelTest, LowRankEffectsAgreeWithDirectSolve) {
 // A spring between grids is a spring at a grid where the place is the grid's;
 // what moves elsewhere is tested in between_grids_test.
 TEST_F(FrfModelTest, SpringBetweenGridsAgreesWithAGridThere) {
-  PlacedEffect spring = at_node("ground-spring", 50, 3e4);
+  EffectInstance spring = at_node("ground-spring", 50, 3e4);
   const auto at_grid = fitter_->model_for({spring}, BaseUse::Scan);
   const MatrixXcd H =
       at_grid->respond(undamped_state(*fitter_, *at_grid, {spring}), s_, false)
@@ -58,7 +59,7 @@ TEST_F(FrfModelTest, SpringBetweenGridsAgreesWithAGridThere) {
 }
 
 TEST_F(FrfModelTest, SwappedChannelsRecordEachOther) {
-  Where both;
+  Location both;
   both.channels = {"acc1", "acc2"};
   const auto model = fitter_->model_for({});
   ModelState state = undamped_state(*fitter_, *model, {});
@@ -73,10 +74,11 @@ TEST_F(FrfModelTest, SwappedChannelsRecordEachOther) {
 }
 
 TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
-  const std::vector<PlacedEffect> effects = {at_node("added-mass", 30, 0.05),
-                                             at_node("ground-spring", 50, 3e4),
-                                             at_node("dashpot", 20, 7.0),
-                                             sensors(0.01, 0.02)};
+  const std::vector<EffectInstance> effects = {
+      at_node("added-mass", 30, 0.05),
+      at_node("ground-spring", 50, 3e4),
+      at_node("dashpot", 20, 7.0),
+      sensors(0.01, 0.02)};
   const auto model = fitter_->model_for(effects);
   ModelState state = fitter_->first_state(*model, effects);
   state.factor = {1.02};
@@ -88,9 +90,9 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferences) {
 // The first modes and those beside them, with springs and a faulty channel in
 // the model: central differences in the base's own stiffness.
 TEST_F(FrfModelTest, FormPatternsAgreeWithDifferences) {
-  Where channel;
+  Location channel;
   channel.channels = {"acc1"};
-  const std::vector<PlacedEffect> effects = {
+  const std::vector<EffectInstance> effects = {
       at_node("dashpot", 50, 3.0),
       {&effects::find("channel-gain"), channel, {1.3}}};
   const auto model = fitter_->model_for(effects);
@@ -112,7 +114,7 @@ TEST_F(FrfModelTest, FormPatternsAgreeWithDifferences) {
     const auto changed = [&](double by) {
       ReducedBase base = model->base();
       base.K += by * one;
-      return FrfModel(base, setting_, pairs_).respond(state, s_, false).H;
+      return FrfModel(base, context_, pairs_).respond(state, s_, false).H;
     };
     const MatrixXcd numeric = (changed(h) - changed(-h)) / (2.0 * h);
     // Central differences are off by h^2 over the square of the damping.
@@ -122,7 +124,7 @@ TEST_F(FrfModelTest, FormPatternsAgreeWithDifferences) {
 
 // A law's damping turns with the modes as matrices do: no part is left out.
 TEST_F(FrfModelTest, DerivativesOfADampingLawAgreeWithDifferences) {
-  const std::vector<PlacedEffect> effects = {
+  const std::vector<EffectInstance> effects = {
       at_node("added-mass", 30, 0.05),
       {&effects::find("damping-law"), {}, {4.0, 2e-6, 0.01}}};
   const auto model = fitter_->model_for(effects);
@@ -134,7 +136,8 @@ TEST_F(FrfModelTest, DerivativesOfADampingLawAgreeWithDifferences) {
 
 // The highest mode too, for which other fits have one ratio in common.
 TEST_F(FrfModelTest, ALawGivesTheModesItsRatios) {
-  const PlacedEffect law{&effects::find("damping-law"), {}, {4.0, 2e-6, 0.01}};
+  const EffectInstance law{
+      &effects::find("damping-law"), {}, {4.0, 2e-6, 0.01}};
   const auto model = fitter_->model_for({law});
   const ModelState state = fitter_->first_state(*model, {law});
   ModelState mode_by_mode = state;

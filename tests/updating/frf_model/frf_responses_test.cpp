@@ -14,17 +14,17 @@ using FrfResponses = PlateModel;
 // With a mass in the modes, a gain in the chain, and each of these last.
 TEST_F(FrfResponses, AtSizesOfTheLastEffectAreThoseOfEachSize) {
   const auto of_channel = [](const std::string& name, double p) {
-    Where where;
+    Location where;
     where.channels = {"acc1"};
-    return PlacedEffect{&effects::find(name), where, {p}};
+    return EffectInstance{&effects::find(name), where, {p}};
   };
-  const std::vector<PlacedEffect> lasts = {of_channel("channel-delay", 1e-4),
-                                           at_node("added-mass", 30, 0.05),
-                                           at_node("dashpot", 20, 7.0),
-                                           sensors(0.01, 0.02),
-                                           clamp(1e3)};
-  for (const PlacedEffect& last : lasts) {
-    std::vector<PlacedEffect> effects = {
+  const std::vector<EffectInstance> lasts = {of_channel("channel-delay", 1e-4),
+                                             at_node("added-mass", 30, 0.05),
+                                             at_node("dashpot", 20, 7.0),
+                                             sensors(0.01, 0.02),
+                                             clamp(1e3)};
+  for (const EffectInstance& last : lasts) {
+    std::vector<EffectInstance> effects = {
         at_node("added-mass", 50, 0.02), of_channel("channel-gain", 1.3), last};
     const auto model = fitter_->model_for(effects);
     ModelState state = fitter_->first_state(*model, effects);
@@ -45,9 +45,9 @@ TEST_F(FrfResponses, AtSizesOfTheLastEffectAreThoseOfEachSize) {
 
 // With a mass and a gain on top.
 TEST_F(FrfResponses, ThroughOtherModesAreThoseOfAModelThatHasThem) {
-  Where channel;
+  Location channel;
   channel.channels = {"acc1"};
-  const std::vector<PlacedEffect> effects = {
+  const std::vector<EffectInstance> effects = {
       at_node("added-mass", 50, 0.02),
       {&effects::find("channel-gain"), channel, {1.3}}};
   const auto model = fitter_->model_for(effects);
@@ -67,13 +67,13 @@ TEST_F(FrfResponses, ThroughOtherModesAreThoseOfAModelThatHasThem) {
 TEST_F(FrfResponses, OfACorrectedSheetAreNotScaledOnes) {
   for (const char* name : {"channel-swap", "point-mislabelled"}) {
     const effects::Effect& mistake = effects::find(name);
-    const std::vector<Where> places = mistake.places(setting_);
+    const std::vector<Location> places = mistake.places(context_);
     ASSERT_FALSE(places.empty());
-    Where where = places.front();
+    Location where = places.front();
     if (mistake.takes_any_grid()) {
       where.node = where.nodes.front() == 30 ? 20 : 30;
     }
-    const std::vector<PlacedEffect> effects = {{&mistake, where, {}}};
+    const std::vector<EffectInstance> effects = {{&mistake, where, {}}};
     const auto model = fitter_->model_for(effects);
     const ModelState state = fitter_->first_state(*model, effects);
     const auto corrected = model->respond(state, s_, false).H;

@@ -48,7 +48,7 @@ void weaken(const std::vector<int>& elements,
 }
 
 TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
-  Where where;
+  Location where;
   where.elements = {4, 5, 6, 14, 15, 16};
   const effects::Effect& effect = effects::find("stiffness-loss");
   const auto model =
@@ -67,11 +67,11 @@ TEST_F(FrfModelTest, StiffnessLossAgreesWithDirectSolve) {
 
 // What is lost ends within the elements beside: each layer has a factor of its
 // own, between that of the patch and all.
-PlacedEffect loss_with_edges(const structure::Deck& deck) {
-  Where where;
+EffectInstance loss_with_edges(const structure::Deck& deck) {
+  Location where;
   where.elements = {4, 5, 6, 14, 15, 16};
   where.variant = edges;
-  PlacedEffect loss{&effects::find("stiffness-loss"), where, {0.2}};
+  EffectInstance loss{&effects::find("stiffness-loss"), where, {0.2}};
   const std::size_t layers = layers_beside(where.elements, deck).size();
   for (std::size_t k = 0; k < layers; ++k) {
     loss.p.push_back(0.3 + 0.15 * static_cast<double>(k));
@@ -80,7 +80,7 @@ PlacedEffect loss_with_edges(const structure::Deck& deck) {
 }
 
 TEST_F(FrfModelTest, LossWithEdgesAgreesWithDirectSolve) {
-  PlacedEffect loss = loss_with_edges(deck_);
+  EffectInstance loss = loss_with_edges(deck_);
   const auto layers = layers_beside(loss.where.elements, deck_);
   ASSERT_GE(layers.size(), 2U);
   const auto model = fitter_->model_for({loss}, BaseUse::Scan);
@@ -101,7 +101,7 @@ TEST_F(FrfModelTest, LossWithEdgesAgreesWithDirectSolve) {
 }
 
 TEST_F(FrfModelTest, DerivativesOfEdgesAgreeWithDifferences) {
-  PlacedEffect loss = loss_with_edges(deck_);
+  EffectInstance loss = loss_with_edges(deck_);
   loss.where.variant = pocket_edges;
   const auto model = fitter_->model_for({loss});
   const ModelState state = fitter_->first_state(*model, {loss});
@@ -111,7 +111,7 @@ TEST_F(FrfModelTest, DerivativesOfEdgesAgreeWithDifferences) {
 // Thinned to t / t_0 = factor^(1/3). The sensors look across the plate, which
 // bends only: that its membrane keeps more than the factor shows nowhere.
 TEST_F(FrfModelTest, PocketAgreesWithDirectSolve) {
-  Where where;
+  Location where;
   where.elements = {4, 5, 6, 14, 15, 16};
   where.variant = pocket;
   const effects::Effect& effect = effects::find("stiffness-loss");
@@ -131,10 +131,10 @@ TEST_F(FrfModelTest, PocketAgreesWithDirectSolve) {
 }
 
 TEST_F(FrfModelTest, DerivativesOfAPocketAgreeWithDifferences) {
-  Where where;
+  Location where;
   where.elements = {4, 5, 6, 14, 15, 16};
   where.variant = pocket;
-  const PlacedEffect thinned{&effects::find("stiffness-loss"), where, {0.4}};
+  const EffectInstance thinned{&effects::find("stiffness-loss"), where, {0.4}};
   const auto model = fitter_->model_for({thinned});
   const ModelState state = fitter_->first_state(*model, {thinned});
   EXPECT_LT(derivative_error(*model, state, s_), 1e-5);

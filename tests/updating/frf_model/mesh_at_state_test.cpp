@@ -24,8 +24,8 @@ structure::Deck lumped() {
 }
 
 // As stiff as the plate is over its length.
-PlacedEffect clamp_that_gives(const structure::Deck& deck) {
-  PlacedEffect soft{&effects::find("soft-support"), {}, {600.0}};
+EffectInstance clamp_that_gives(const structure::Deck& deck) {
+  EffectInstance soft{&effects::find("soft-support"), {}, {600.0}};
   soft.where.variant = "rotation";
   for (const structure::Grid& grid : deck.grids) {
     if (grid.position.x() == 0.0) soft.where.nodes.push_back(grid.id);
@@ -37,11 +37,11 @@ class MeshAtState : public ::testing::Test {
  protected:
   FrfModel model(const structure::Deck& deck,
                  const BaseBuilder& builder,
-                 const PlacedEffect& soft) const {
+                 const EffectInstance& soft) const {
     const StiffnessChange change{
         ChangeKind::Support, {"soft-support", soft.where}, 3};
     return {builder.build({}, {change}),
-            support::plate_setting(bundle_, deck),
+            support::plate_context(bundle_, deck),
             support::plate_pairs(bundle_, VectorXd::Ones(1))};
   }
 
@@ -93,7 +93,7 @@ TEST_F(MeshAtState, ForetellsTheMeshSplitTwice) {
   EXPECT_LT(worst(told), 0.5 * worst(frequencies(on_fine, state)));
   // Who asks for other points takes the base, and the shift with it.
   const FrfModel elsewhere(shifted->base(),
-                           support::plate_setting(bundle_, deck),
+                           support::plate_context(bundle_, deck),
                            support::plate_pairs(bundle_, VectorXd::Ones(1)));
   EXPECT_EQ(frequencies(elsewhere, state), told);
 }

@@ -1,6 +1,6 @@
 #include "tests/updating/support/modal_bundle.hpp"
 #include "updating/catalogue/catalogue.hpp"
-#include "updating/fit/fit_ground.hpp"
+#include "updating/fit/fit_context.hpp"
 #include "updating/measurement/test_model.hpp"
 
 #include <gtest/gtest.h>
@@ -36,22 +36,24 @@ class ModalResponses : public ::testing::Test {
     deck_ = read_test_model(test_->bundle());
     (void)test_->modes({});
     solved_.emplace(solve_model(deck_, test_->bundle(), test_->band()[1], {}));
-    effects::Setting setting;
-    setting.bundle = &test_->bundle();
-    setting.deck = &deck_;
-    setting.mass_kg = solved_->builder.mass_kg();
-    setting.low_hz = test_->band()[0];
-    setting.high_hz = test_->band()[1];
-    setting.component = measured_component(test_->bundle(), deck_);
-    setting.components = tested_components(test_->bundle(), deck_);
+    effects::TestContext context;
+    context.bundle = &test_->bundle();
+    context.deck = &deck_;
+    context.mass_kg = solved_->builder.mass_kg();
+    context.low_hz = test_->band()[0];
+    context.high_hz = test_->band()[1];
+    context.component = measured_component(test_->bundle(), deck_);
+    context.components = tested_components(test_->bundle(), deck_);
     ground_.emplace(
-        prepare_fits(*solved_, {setting, *test_, test_->modes({})}, {}));
+        prepare_fits(*solved_, {context, *test_, test_->modes({})}, {}));
   }
 
   [[nodiscard]] const Fitter& fitter() const { return *ground_->fitter; }
 
-  static PlacedEffect at_grid(const std::string& name, int node, double size) {
-    PlacedEffect placed{&effects::find(name), {}, {size}};
+  static EffectInstance at_grid(const std::string& name,
+                                int node,
+                                double size) {
+    EffectInstance placed{&effects::find(name), {}, {size}};
     placed.where.node = node;
     return placed;
   }
@@ -60,7 +62,7 @@ class ModalResponses : public ::testing::Test {
   std::optional<Measurement> test_;
   structure::Deck deck_;
   std::optional<SolvedModel> solved_;
-  std::optional<FitGround> ground_;
+  std::optional<FitContext> ground_;
 };
 
 TEST_F(ModalResponses, AreThoseMeasuredWithoutScatter) {
@@ -73,7 +75,7 @@ TEST_F(ModalResponses, AreThoseMeasuredWithoutScatter) {
 }
 
 TEST_F(ModalResponses, DerivativesAreThoseOfDifferences) {
-  std::vector<PlacedEffect> effects = {
+  std::vector<EffectInstance> effects = {
       at_grid("added-mass", testing::plate_grid(8, 1), 0.02),
       at_grid("ground-spring", testing::plate_grid(10, 4), 300.0)};
   const effects::Effect& loss = effects::find("stiffness-loss");
@@ -130,7 +132,8 @@ TEST_F(ModalResponses, PlacesAreFeltAsAMassThereIs) {
         change(l, pair.frf) = w * o(0, pair.response) * i(0, pair.reference);
       }
     }
-    const std::vector<PlacedEffect> with = {at_grid("added-mass", node, mass)};
+    const std::vector<EffectInstance> with = {
+        at_grid("added-mass", node, mass)};
     ModelState loaded = state;
     loaded.effects = with;
     const MatrixXcd exact = model->respond(loaded, s, false).H - before;
@@ -183,9 +186,9 @@ TEST_F(ModalResponses, FormPatternsAreThoseOfDifferences) {
     base.K(i, j) += off * omega(i) * omega(j);
     if (i != j) base.K(j, i) = base.K(i, j);
     FrfModel changed(std::move(base),
-                     model->setting(),
-                     fitter().setting().measured,
-                     fitter().setting().modes);
+                     model->context(),
+                     fitter().problem().measured,
+                     fitter().problem().modes);
     changed.set_reference(state);
     return changed.respond(state, s, false).H;
   };

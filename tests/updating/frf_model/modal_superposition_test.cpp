@@ -54,7 +54,7 @@ struct SumsOfTwelve {
     }
     lines.B.resize(modes, 0);
     if (loaded) {
-      const PlacedEffect absorber{
+      const EffectInstance absorber{
           &effects::find("absorber"), {}, {2e-3, 400.0, 0.03}};
       shared.first.resize(state.effects.size());
       state.effects.push_back(absorber);
@@ -111,7 +111,7 @@ class OneByOne {
       const CoupledDof& actor = lines.actors[static_cast<std::size_t>(a)];
       D_(a) = s_;
       if (!actor.effect) continue;
-      const PlacedEffect& placed = test.shared.beside[*actor.effect];
+      const EffectInstance& placed = test.shared.beside[*actor.effect];
       D_(a) = actor.weight * placed.effect->law(s_, placed.p, actor.group);
     }
     Z += lines.B * D_.asDiagonal() * lines.B.transpose();
@@ -139,7 +139,7 @@ class OneByOne {
       fill(-Xo_.transpose() * dz.asDiagonal() * Xi_,
            out.dH[static_cast<std::size_t>(shared.owner[m])]);
     }
-    const PlacedEffect* law = test_.state.damping_law();
+    const EffectInstance* law = test_.state.damping_law();
     for (std::size_t p = 0; law != nullptr && p < law->p.size(); ++p) {
       VectorXcd dz(SumsOfTwelve::modes);
       for (Index m = 0; m < dz.size(); ++m) {
@@ -166,7 +166,7 @@ class OneByOne {
 
   void of_absorber(ModelResponse& out) const {
     const ModalState& shared = test_.shared;
-    const PlacedEffect& placed = shared.beside.back();
+    const EffectInstance& placed = shared.beside.back();
     const auto actors = test_.lines.B.rightCols(2);
     for (std::size_t p = 0; p < placed.p.size(); ++p) {
       const complex<double> z =

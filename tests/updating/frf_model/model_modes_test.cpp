@@ -17,7 +17,7 @@ class ModelModesTest : public PlateModel {
   /// How far the model's FRFs are from the sum over its modes, each with a
   /// damping ratio of its own.
   double off_definition(const FrfModel& model,
-                        const std::vector<PlacedEffect>& effects) const {
+                        const std::vector<EffectInstance>& effects) const {
     ModelState state = fitter_->first_state(model, effects);
     for (Index q = 0; q < state.zeta.size(); ++q) {
       state.zeta(q) = 0.002 * static_cast<double>(1 + (5 * q) % 7);
@@ -56,9 +56,10 @@ class ModelModesTest : public PlateModel {
 // The definition of a modal damping ratio, mode by mode of the structure with
 // its springs and masses: R_r = phi phi' / (s^2 + 2 zeta w s + w^2).
 TEST_F(ModelModesTest, DampingRatiosBelongToTheModesWithSpringsAndMasses) {
-  const std::vector<PlacedEffect> effects = {at_node("ground-spring", 50, 3e5),
-                                             at_node("added-mass", 30, 0.05),
-                                             sensors(0.01, 0.02)};
+  const std::vector<EffectInstance> effects = {
+      at_node("ground-spring", 50, 3e5),
+      at_node("added-mass", 30, 0.05),
+      sensors(0.01, 0.02)};
   const auto model = fitter_->model_for(effects);
   EXPECT_LT(off_definition(*model, effects), 1e-9);
 }
@@ -93,15 +94,15 @@ TEST_F(ModelModesTest, LosslessLawsAreSpringsAndMasses) {
   };
   for (const effects::Effect* effect : effects::catalogue()) {
     if (effect->changes_stiffness()) continue;
-    for (const Where& where : effect->places(setting_)) {
+    for (const Location& where : effect->places(context_)) {
       std::vector<double> p;
-      for (const auto& spec : effect->parameters(where, setting_)) {
+      for (const auto& spec : effect->parameters(where, context_)) {
         p.push_back(spec.start * (1.0 + 0.3 * static_cast<double>(p.size())));
       }
       for (std::size_t k = 0; k < p.size(); ++k) {
         if (!effect->is_lossless(k)) continue;
-        if (where == effect->places(setting_).front()) ++lossless;
-        for (const auto& dof : effect->acts_on(where, setting_, 0)) {
+        if (where == effect->places(context_).front()) ++lossless;
+        for (const auto& dof : effect->interface_dofs(where, context_, 0)) {
           check(*effect, k, p, dof.group);
         }
       }
@@ -114,15 +115,16 @@ TEST_F(ModelModesTest, LosslessLawsAreSpringsAndMasses) {
 // A cable's spring turns the modes that have the ratios; its damper, if there
 // is next to none, adds nothing.
 TEST_F(ModelModesTest, ACablesSpringIsInTheModesThatRatiosBelongTo) {
-  Where where;
+  Location where;
   where.channels = {"acc1", "acc2"};
-  const PlacedEffect cable{&effects::find("sensor-cable"), where, {2e4, 1e-9}};
+  const EffectInstance cable{
+      &effects::find("sensor-cable"), where, {2e4, 1e-9}};
   const auto model = fitter_->model_for({cable});
   EXPECT_LT(off_definition(*model, {cable}), 1e-8);
 }
 
 TEST_F(ModelModesTest, FullModesFallWithAddedMass) {
-  const std::vector<PlacedEffect> effects = {at_node("added-mass", 33, 0.1)};
+  const std::vector<EffectInstance> effects = {at_node("added-mass", 33, 0.1)};
   const auto model = fitter_->model_for(effects);
   const Eigen::VectorXd base =
       model->full_modes(fitter_->first_state(*model, {})).omega;
@@ -139,16 +141,17 @@ TEST_F(ModelModesTest, FullModesWithARovingMassAreMeansOverTheRuns) {
   for (std::size_t run = 0; run < nodes.size(); ++run) {
     bundle_.runs[run].sensors[0].dof.node = nodes[run];
   }
-  Where where;
+  Location where;
   where.channels = {"acc1"};
-  const std::vector<PlacedEffect> roving = {
+  const std::vector<EffectInstance> roving = {
       {&effects::find("sensor-mass"), where, {mass}}};
   const auto model = fitter_->model_for(roving);
   const Eigen::VectorXd found =
       model->full_modes(fitter_->first_state(*model, roving)).omega;
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(6);
   for (const int node : nodes) {
-    const std::vector<PlacedEffect> there = {at_node("added-mass", node, mass)};
+    const std::vector<EffectInstance> there = {
+        at_node("added-mass", node, mass)};
     const auto still = fitter_->model_for(there);
     mean +=
         still->full_modes(fitter_->first_state(*still, there)).omega.head(6);
@@ -163,10 +166,10 @@ TEST_F(ModelModesTest, FullModesWithARovingMassAreMeansOverTheRuns) {
 // Tuned just below the middle of the band (63 Hz), where its law at the middle
 // is a large spring: modes stay modes.
 TEST_F(ModelModesTest, FullModesStayFiniteWithAnAbsorberBelowMidBand) {
-  Where where;
+  Location where;
   where.node = 33;
   for (const double hz : {5.0, 20.0, 60.0, 63.0, 64.0, 120.0}) {
-    const std::vector<PlacedEffect> effects = {
+    const std::vector<EffectInstance> effects = {
         {&effects::find("absorber"), where, {0.1, hz, 0.01}}};
     const auto model = fitter_->model_for(effects);
     const Eigen::VectorXd omega =

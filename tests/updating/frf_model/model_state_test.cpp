@@ -7,7 +7,7 @@
 namespace tapfit::updating {
 namespace {
 
-ModelState state_with(const PlacedEffect& effect) {
+ModelState state_with(const EffectInstance& effect) {
   ModelState state;
   state.factor = {1.02};
   state.zeta_other = 0.007;

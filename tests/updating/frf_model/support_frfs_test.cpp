@@ -61,8 +61,8 @@ structure::Deck jointed_plate(const structure::Deck& plate, double k_per_m) {
 
 TEST_F(FrfModelTest, JointAgreesWithDirectSolveFromStiffToSoft) {
   const effects::Effect& effect = effects::find("joint");
-  Where where;
-  for (const Where& place : effect.places(setting_)) {
+  Location where;
+  for (const Location& place : effect.places(context_)) {
     const auto& n = place.nodes;
     if (n.size() == 5 && std::find(n.begin(), n.end(), 6) != n.end()) {
       where = place;
@@ -85,10 +85,10 @@ TEST_F(FrfModelTest, JointAgreesWithDirectSolveFromStiffToSoft) {
 TEST_F(FrfModelTest, SupportThatWasNotThereHoldsNothing) {
   const effects::Effect& effect = effects::find("support-mismatch");
   for (const std::string variant : {"free", "free-rotations"}) {
-    const std::vector<Where> places = effect.places(setting_);
-    const auto where = std::ranges::find(places, variant, &Where::variant);
+    const std::vector<Location> places = effect.places(context_);
+    const auto where = std::ranges::find(places, variant, &Location::variant);
     ASSERT_NE(where, places.end()) << variant;
-    const PlacedEffect freed{&effect, *where, {}};
+    const EffectInstance freed{&effect, *where, {}};
     const auto model = fitter_->model_for({freed});
     const ModelState state = undamped_state(*fitter_, *model, {freed});
     structure::Deck deck = support::plate_deck(false);
@@ -104,7 +104,7 @@ TEST_F(FrfModelTest, SupportThatWasNotThereHoldsNothing) {
 }
 
 TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnASoftSupport) {
-  auto effects = std::vector<PlacedEffect>{clamp(1.0)};
+  auto effects = std::vector<EffectInstance>{clamp(1.0)};
   const auto model = fitter_->model_for(effects);
   effects.back().p[0] = model->base().terms.front().start;
   const ModelState state = fitter_->first_state(*model, effects);
@@ -115,7 +115,7 @@ TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnASoftSupport) {
 
 TEST_F(FrfModelTest, DerivativesAgreeWithDifferencesOnFormsOfASupport) {
   for (const char* form : {"both", "rotation-varying", "translation-varying"}) {
-    auto effects = std::vector<PlacedEffect>{clamp(1.0)};
+    auto effects = std::vector<EffectInstance>{clamp(1.0)};
     effects.back().where.variant = form;
     effects.back().p = {1.0, 1.0};
     const auto model = fitter_->model_for(effects);
@@ -135,14 +135,14 @@ TEST_F(FrfModelTest, AClampThatVariesByNothingIsTheEvenOne) {
   const double k = even->base().terms.front().start;
   const MatrixXcd H =
       even->respond(undamped_state(*fitter_, *even, {clamp(k)}), s_, false).H;
-  PlacedEffect varying = clamp(k);
+  EffectInstance varying = clamp(k);
   varying.where.variant = "rotation-varying";
   varying.p = {k, k};
   const auto model = fitter_->model_for({varying});
   const ModelState state = undamped_state(*fitter_, *model, {varying});
   EXPECT_LT(difference(model->respond(state, s_, false).H, H), 1e-9);
   // A rigid translation beside the turn leaves the turn alone.
-  PlacedEffect both = clamp(k);
+  EffectInstance both = clamp(k);
   both.where.variant = "both";
   both.p = {k, 1.0};
   const auto of_both = fitter_->model_for({both});

@@ -10,8 +10,10 @@ using Eigen::MatrixXcd;
 
 class AsDone : public PlateModel {
  protected:
-  static PlacedEffect moved(const std::string& channel, int written, int real) {
-    Where where;
+  static EffectInstance moved(const std::string& channel,
+                              int written,
+                              int real) {
+    Location where;
     where.channels = {channel};
     where.nodes = {written};
     where.node = real;
@@ -19,10 +21,11 @@ class AsDone : public PlateModel {
   }
 
   // FRFs of the model of a sheet.
-  [[nodiscard]] MatrixXcd frfs(const acquisition::TestBundle& sheet,
-                               const std::vector<PlacedEffect>& effects) const {
-    FitSetting fit = fitter_->setting();
-    fit.setting = support::plate_setting(sheet, deck_);
+  [[nodiscard]] MatrixXcd frfs(
+      const acquisition::TestBundle& sheet,
+      const std::vector<EffectInstance>& effects) const {
+    FitProblem fit = fitter_->problem();
+    fit.context = support::plate_context(sheet, deck_);
     fit.measured = support::plate_pairs(sheet, s_);
     const BaseBuilder builder(
         deck_, sheet.uncertain, support::plate_base(sheet, deck_), Progress{});
@@ -48,7 +51,7 @@ TEST_F(AsDone, FrfsAreThoseOfTheSheetPutRight) {
 TEST_F(AsDone, MassMovesWithTheSensor) {
   acquisition::TestBundle right = bundle_;
   for (acquisition::Run& run : right.runs) run.sensors[1].dof.node = 33;
-  const PlacedEffect mass = sensors(0.02, 0.05);
+  const EffectInstance mass = sensors(0.02, 0.05);
   const MatrixXcd expected = frfs(right, {mass});
   EXPECT_LT(difference(frfs(bundle_, {mass, moved("acc2", 36, 33)}), expected),
             as_good_as_bases);
@@ -57,7 +60,7 @@ TEST_F(AsDone, MassMovesWithTheSensor) {
 }
 
 TEST_F(AsDone, RunsThatAreNotMeantStay) {
-  PlacedEffect late = moved("acc2", 36, 33);
+  EffectInstance late = moved("acc2", 36, 33);
   late.where.runs = {4, 5, 6};
   const MatrixXcd all = frfs(bundle_, {moved("acc2", 36, 33)});
   const MatrixXcd some = frfs(bundle_, {late});
@@ -81,9 +84,9 @@ TEST_F(AsDone, TellsWhatEachFrfWasMeasuredBetween) {
 }
 
 TEST_F(AsDone, IsTheSheetWhereNothingIsWrongWithIt) {
-  const TestAsDone done = test_as_done(setting_, {at_node("added-mass", 3, 1)});
+  const TestAsDone done = test_as_done(context_, {at_node("added-mass", 3, 1)});
   EXPECT_EQ(done.sheet, nullptr);
-  EXPECT_EQ(done.setting.bundle, &bundle_);
+  EXPECT_EQ(done.context.bundle, &bundle_);
 }
 
 }  // namespace

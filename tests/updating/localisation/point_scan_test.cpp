@@ -8,8 +8,8 @@
 namespace tapfit::updating {
 namespace {
 
-Where point(const std::string& channel, int written, int real) {
-  Where where;
+Location point(const std::string& channel, int written, int real) {
+  Location where;
   where.channels = {channel};
   where.nodes = {written};
   where.node = real;
@@ -25,10 +25,10 @@ TEST(PointScan, IsTheErrorOfTheFrfsOfThatGrid) {
   Fit fit = fitter.fit({}, fitter.model_for({}));
   fit.model = fitter.model_for({}, BaseUse::Scan);
   const Target& target = fitter.target();
-  const MisfitScan misfit(fit, target);
+  const ProjectedMisfit misfit(fit, target);
   const std::vector<PointElsewhere> found =
-      PointScan(fit, target, misfit, fitter.setting().measured)
-          .elsewhere(mistake.places(fitter.setting().setting));
+      PointScan(fit, target, misfit, fitter.problem().measured)
+          .elsewhere(mistake.places(fitter.problem().context));
   ASSERT_FALSE(found.empty());
   const auto best = std::ranges::min_element(
       found, {}, [](const PointElsewhere& p) { return p.error; });
@@ -46,9 +46,9 @@ TEST(PointScan, LeavesPointsAloneThatHaveNothingToAnswerFor) {
   PointScanOptions options;
   options.least_share = 0.3;
   options.grids = 4;
-  const MisfitScan misfit(fit, fitter.target());
+  const ProjectedMisfit misfit(fit, fitter.target());
   const std::vector<PointElsewhere> found =
-      PointScan(fit, fitter.target(), misfit, fitter.setting().measured)
+      PointScan(fit, fitter.target(), misfit, fitter.problem().measured)
           .elsewhere({point("hammer", 52, 0), point("hammer", 6, 0)}, options);
   ASSERT_EQ(found.size(), 4U);
   for (const PointElsewhere& there : found) {
@@ -63,15 +63,15 @@ TEST(PointScan, ForetellsWhatTheModelAnswersWithoutTheMistake) {
   Fit fit = fitter.fit({}, fitter.model_for({}));
   fit.model = fitter.model_for({}, BaseUse::Scan);
   const Target& target = fitter.target();
-  const MisfitScan misfit(fit, target);
-  const PointScan scan(fit, target, misfit, fitter.setting().measured);
+  const ProjectedMisfit misfit(fit, target);
+  const PointScan scan(fit, target, misfit, fitter.problem().measured);
   const Eigen::MatrixXcd now =
       fit.model->respond(fit.result.state, target.s, false).H;
   for (const char* name :
        {"channel-swap", "channel-polarity", "direction-wrong"}) {
     const effects::Effect& effect = effects::find(name);
-    for (const Where& where : effect.places(fitter.setting().setting)) {
-      const PlacedEffect mistake{&effect, where, {}};
+    for (const Location& where : effect.places(fitter.problem().context)) {
+      const EffectInstance mistake{&effect, where, {}};
       ModelState state = fit.result.state;
       state.effects.push_back(mistake);
       const Eigen::MatrixXcd H = fit.model->respond(state, target.s, false).H;

@@ -41,10 +41,10 @@ class RunDriftTest : public PlateModel {
       }
       frf.variance = Eigen::VectorXd::Constant(s_.size(), 2.0 * level * level);
     }
-    FitSetting setting = fitter_->setting();
-    setting.measured = measured;
-    setting.targets = {make_target(measured)};
-    const Fitter fitter(builder_, setting);
+    FitProblem problem = fitter_->problem();
+    problem.measured = measured;
+    problem.targets = {make_target(measured)};
+    const Fitter fitter(builder_, problem);
     const Fit fit = fitter.fit({}, fitter.model_for({}));
     return run_drift(fit, fitter.target());
   }
@@ -55,7 +55,7 @@ TEST_F(RunDriftTest, FindsAChangeAndItsSign) {
     const std::optional<RunDrift> drift = found(change);
     ASSERT_TRUE(drift.has_value());
     EXPECT_NEAR(drift->change, change, 0.1 * std::abs(change));
-    EXPECT_TRUE(is_telling(*drift)) << drift->explained << " " << drift->sd;
+    EXPECT_TRUE(is_significant(*drift)) << drift->explained << " " << drift->sd;
     EXPECT_NE(statement(*drift).find(change > 0.0 ? "rises" : "falls"),
               std::string::npos);
   }
@@ -73,7 +73,7 @@ TEST_F(RunDriftTest, IsSilentWhereNothingChanges) {
   const std::optional<RunDrift> drift = found(0.0);
   ASSERT_TRUE(drift.has_value());
   EXPECT_LT(std::abs(drift->change), 4.0 * drift->sd);
-  EXPECT_FALSE(is_telling(*drift));
+  EXPECT_FALSE(is_significant(*drift));
 }
 
 TEST_F(RunDriftTest, IsNotLookedForWhereSensorsMove) {

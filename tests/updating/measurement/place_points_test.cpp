@@ -130,7 +130,7 @@ TEST_F(PlacePoints, APointChangesNothingElse) {
 TEST_F(PlacePoints, BetweenGridsTheShapeFunctionsTell) {
   const Vector3d at(0.1, 0.07, 0.0);
   const structure::Deck deck = placed(point_at(at));
-  Where where;
+  Location where;
   where.node = 26;  // a corner of that shell
   where.at = {at.x(), at.y(), at.z()};
   const std::vector<MotionShare> shares = motion_between(deck_, where, 3);

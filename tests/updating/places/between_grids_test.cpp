@@ -37,7 +37,7 @@ struct Bending {
     return 0.0;
   }
   [[nodiscard]] double between(const structure::Deck& deck,
-                               const Where& where) const {
+                               const Location& where) const {
     double sum = 0.0;
     for (const MotionShare& share : motion_between(deck, where, 3)) {
       sum += share.weight * at(deck, share);
@@ -46,8 +46,8 @@ struct Bending {
   }
 };
 
-Where place(int node, double x, double y, double z = 0.0) {
-  Where where;
+Location place(int node, double x, double y, double z = 0.0) {
+  Location where;
   where.node = node;
   where.at = {x, y, z};
   return where;
@@ -98,14 +98,14 @@ TEST(BetweenGrids, ABarThatIsBentIsFollowedToTheThirdOrder) {
 TEST(BetweenGrids, PlacesAroundLieOnElementsAndNameTheNearestGrid) {
   const structure::Deck deck =
       deck_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{1, 2, 3, 4}});
-  Where corner;
+  Location corner;
   corner.node = 1;
-  const std::vector<Where> around = places_around(corner, 0.5, deck);
+  const std::vector<Location> around = places_around(corner, 0.5, deck);
   ASSERT_EQ(around.size(), 2U);
-  for (const Where& where : around) {
+  for (const Location& where : around) {
     EXPECT_NEAR(position_of(where, deck).norm(), 0.5, 1e-12);
   }
-  const std::vector<Where> moved = moved_to(corner, {0.8, 0.3, 0.0}, deck);
+  const std::vector<Location> moved = moved_to(corner, {0.8, 0.3, 0.0}, deck);
   ASSERT_EQ(moved.size(), 1U);
   EXPECT_EQ(moved[0].node, 2);
   EXPECT_TRUE(moved_to(corner, {0.8, 1.3, 0.0}, deck).empty());

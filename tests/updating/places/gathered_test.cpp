@@ -92,17 +92,18 @@ TEST(ToldApart, KeepsPlacesOfEachForm) {
   structure::Deck deck = support::plate_deck(true);
   for (int k = 0; k < 3; ++k) deck = structure::refine_mesh(deck).deck;
   ASSERT_GT(deck.grids.size(), 2000U);
-  std::vector<Where> places;
+  std::vector<Location> places;
   for (const char* form : {"", "X"}) {
     for (const structure::Grid& grid : deck.grids) {
-      Where where;
+      Location where;
       where.node = grid.id;
       where.variant = form;
       places.push_back(where);
     }
   }
   const auto kept = told_apart(places, deck);
-  const auto plain = std::ranges::count(kept, std::string(), &Where::variant);
+  const auto plain =
+      std::ranges::count(kept, std::string(), &Location::variant);
   EXPECT_EQ(2 * plain, std::ssize(kept));
   EXPECT_LE(plain, static_cast<std::ptrdiff_t>(most_places));
   EXPECT_GT(plain, static_cast<std::ptrdiff_t>(most_places / 2));

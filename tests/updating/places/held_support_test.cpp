@@ -10,8 +10,8 @@
 namespace tapfit::updating {
 namespace {
 
-Where held_along(const std::vector<int>& nodes, const std::string& variant) {
-  Where where;
+Location held_along(const std::vector<int>& nodes, const std::string& variant) {
+  Location where;
   where.nodes = nodes;
   where.variant = variant;
   return where;

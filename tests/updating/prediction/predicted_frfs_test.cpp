@@ -16,7 +16,7 @@ class PredictedFrfs : public PlateModel {
 
   /// The plate before and after 50 g are put on it.
   [[nodiscard]] ChangedModel with_mass() const {
-    const PlacedEffect stated = at_node("added-mass", 30, 0.05);
+    const EffectInstance stated = at_node("added-mass", 30, 0.05);
     const auto model = fitter_->model_for({stated});
     return {model, model, fitter_->first_state(*model, {}), {stated}};
   }

@@ -58,12 +58,12 @@ TEST(StatedChange, SaysWhatIsMissingOrNoChange) {
 class PlacedChange : public ::testing::Test {
  protected:
   PlacedChange() {
-    setting_.bundle = &bundle_;
-    setting_.deck = &deck_;
-    setting_.mass_kg = 0.942;
+    context_.bundle = &bundle_;
+    context_.deck = &deck_;
+    context_.mass_kg = 0.942;
   }
-  [[nodiscard]] PlacedEffect place(const std::string& text) const {
-    return place_change(parse_stated_change(text), setting_);
+  [[nodiscard]] EffectInstance place(const std::string& text) const {
+    return place_change(parse_stated_change(text), context_);
   }
   [[nodiscard]] std::string fault(const std::string& text) const {
     return fault_of([&] { (void)place(text); });
@@ -71,7 +71,7 @@ class PlacedChange : public ::testing::Test {
 
   acquisition::TestBundle bundle_;
   structure::Deck deck_ = structure::deck_of(testing::beam_text());
-  effects::Setting setting_;
+  effects::TestContext context_;
 };
 
 TEST_F(PlacedChange, HasItsSizesInSiUnits) {
@@ -79,7 +79,7 @@ TEST_F(PlacedChange, HasItsSizesInSiUnits) {
   EXPECT_DOUBLE_EQ(place("added-mass@21=10g").p[0], 0.010);
   EXPECT_DOUBLE_EQ(place("ground-spring@21=2kN/m").p[0], 2000.0);
   EXPECT_DOUBLE_EQ(place("stiffness-loss@3=80%").p[0], 0.8);
-  EXPECT_EQ(change_text(place("added-mass@21=10g"), setting_),
+  EXPECT_EQ(change_text(place("added-mass@21=10g"), context_),
             "added-mass at node 21, mass_kg 0.01");
 }
 

@@ -176,7 +176,7 @@ TEST(UncertainPartsTest, DerivativesAgreeWithDifferences) {
                       {"material", 2, "E"},
                       {"property", 2, "A"},
                       {"material", 2, "rho"}};
-  const effects::Setting setting = support::plate_setting(bundle, deck);
+  const effects::TestContext context = support::plate_context(bundle, deck);
   const Eigen::VectorXcd s = damped_line({10.0, 400.0}, 2.0, {0.05, 40});
   BaseOptions options;
   options.high_hz = 400.0;
@@ -184,7 +184,7 @@ TEST(UncertainPartsTest, DerivativesAgreeWithDifferences) {
   options.points = measured_points(deck, bundle).all;
   const BaseBuilder builder(deck, bundle.uncertain, options, Progress{});
   const FrfModel model(
-      builder.build({}, {}), setting, support::plate_pairs(bundle, s));
+      builder.build({}, {}), context, support::plate_pairs(bundle, s));
   ModelState state;
   state.factor = {1.1, 0.95, 1.2, 0.9, 1.15};
   // Unequal, so that damping that turns with the modes would show.
@@ -215,14 +215,14 @@ TEST(UncertainPartsTest, ReducedModelFollowsTheScaledDeck) {
   bundle.uncertain = {{"property", 1, "t"}};
   const Eigen::VectorXcd s = damped_line({10.0, 400.0}, 2.0, {0.05, 40});
   const auto respond = [&](const Deck& of, double factor) {
-    const effects::Setting setting = support::plate_setting(bundle, of);
+    const effects::TestContext context = support::plate_context(bundle, of);
     BaseOptions options;
     options.high_hz = 400.0;
     options.split = false;
     options.points = measured_points(of, bundle).all;
     const BaseBuilder builder(of, bundle.uncertain, options, Progress{});
     const FrfModel model(
-        builder.build({}, {}), setting, support::plate_pairs(bundle, s));
+        builder.build({}, {}), context, support::plate_pairs(bundle, s));
     ModelState state;
     state.factor = {factor};
     return model.respond(state, s, false).H;

@@ -33,7 +33,7 @@ class LeanSpan : public ::testing::Test {
             Progress{}};
   }
   [[nodiscard]] FrfModel model(const ReducedBase& base) const {
-    return {base, setting_, support::plate_pairs(bundle_, s_)};
+    return {base, context_, support::plate_pairs(bundle_, s_)};
   }
   [[nodiscard]] Eigen::MatrixXcd respond(const FrfModel& model,
                                          const ModelState& state) const {
@@ -42,7 +42,7 @@ class LeanSpan : public ::testing::Test {
 
   structure::Deck deck_ = support::plate_deck(true);
   acquisition::TestBundle bundle_ = support::plate_bundle();
-  effects::Setting setting_ = support::plate_setting(bundle_, deck_);
+  effects::TestContext context_ = support::plate_context(bundle_, deck_);
   Eigen::VectorXcd s_ = damped_line({10.0, 400.0}, 2.0, {0.03, 80});
 };
 
@@ -68,18 +68,18 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseOverTheRangeOfProperties) {
 // too.
 TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
   const BaseBuilder bases = builder();
-  Where patch;
+  Location patch;
   patch.elements = {12, 13, 14, 22, 23, 24};
-  Where line;
+  Location line;
   line.nodes = {5, 16, 27, 38, 49};
-  Where clamp;
+  Location clamp;
   clamp.nodes = {1, 12, 23, 34, 45};
   clamp.variant = "rotation";
   for (const auto& [name, kind, where] :
        {std::tuple{"stiffness-loss", ChangeKind::Elements, patch},
         std::tuple{"joint", ChangeKind::Joint, line},
         std::tuple{"soft-support", ChangeKind::Support, clamp}}) {
-    const StiffnessChange change{kind, {name, where}, setting_.component};
+    const StiffnessChange change{kind, {name, where}, context_.component};
     const FrfModel wide = model(bases.build({}, {change}, BaseUse::Scan));
     const FrfModel narrow = model(bases.build({}, {change}, BaseUse::Fit));
     const StiffnessTerm& term = narrow.base().terms.front();

@@ -23,8 +23,8 @@ using structure::SparseMatrix;
 
 class PulledPlate : public ::testing::Test, protected support::BasedPlate {
  protected:
-  [[nodiscard]] Where place() const {
-    return effects::find("prestress").places(setting_).front();
+  [[nodiscard]] Location place() const {
+    return effects::find("prestress").places(context_).front();
   }
   [[nodiscard]] ReducedBase base(BaseUse use) const {
     StiffnessChange change;
@@ -36,7 +36,7 @@ class PulledPlate : public ::testing::Test, protected support::BasedPlate {
 
 // Clamped on one side: a wire pulls at the other.
 TEST_F(PulledPlate, HasAForceAndASideStiffness) {
-  const auto specs = effects::find("prestress").parameters(place(), setting_);
+  const auto specs = effects::find("prestress").parameters(place(), context_);
   ASSERT_EQ(specs.size(), 2U);
   EXPECT_EQ(specs[0].name, "force_n");
   EXPECT_EQ(specs[1].name, "side_stiffness_n_per_m");
@@ -75,13 +75,13 @@ TEST_F(PulledPlate, FrfsChangeWithTheForceAsDerived) {
   Eigen::VectorXcd s(3);
   s << std::complex<double>(5.0, 300.0), std::complex<double>(5.0, 700.0),
       std::complex<double>(5.0, 1500.0);
-  FitSetting setting;
-  setting.setting = setting_;
-  setting.measured = support::plate_pairs(bundle_, s);
-  setting.targets = {make_target(setting.measured)};
-  setting.uncertain_sd = {0.1};
-  const Fitter fitter(builder_, setting);
-  PlacedEffect effect = placed(effects::find("prestress"), place(), setting_);
+  FitProblem problem;
+  problem.context = context_;
+  problem.measured = support::plate_pairs(bundle_, s);
+  problem.targets = {make_target(problem.measured)};
+  problem.uncertain_sd = {0.1};
+  const Fitter fitter(builder_, problem);
+  EffectInstance effect = placed(effects::find("prestress"), place(), context_);
   const auto model = fitter.model_for({effect});
   for (std::size_t k = 0; k < 2; ++k) {
     effect.p[k] = model->base().terms[k].start;

@@ -19,21 +19,21 @@ using Eigen::MatrixXd;
 class LossBesideModulus : public ::testing::Test,
                           protected support::BasedPlate {
  protected:
-  [[nodiscard]] PlacedEffect loss(double factor) const {
-    PlacedEffect effect{&effects::find("stiffness-loss"), {}, {factor}};
+  [[nodiscard]] EffectInstance loss(double factor) const {
+    EffectInstance effect{&effects::find("stiffness-loss"), {}, {factor}};
     effect.where.elements = {4, 5, 6, 14, 15, 16};
     return effect;
   }
-  [[nodiscard]] FitSetting setting_at(const Eigen::VectorXcd& s) const {
-    FitSetting setting;
-    setting.setting = setting_;
-    setting.measured = support::plate_pairs(bundle_, s);
-    setting.targets = {make_target(setting.measured)};
-    setting.uncertain_sd = {0.1};
-    return setting;
+  [[nodiscard]] FitProblem problem_at(const Eigen::VectorXcd& s) const {
+    FitProblem problem;
+    problem.context = context_;
+    problem.measured = support::plate_pairs(bundle_, s);
+    problem.targets = {make_target(problem.measured)};
+    problem.uncertain_sd = {0.1};
+    return problem;
   }
   [[nodiscard]] StiffnessTerm term() const {
-    const PlacedEffect effect = loss(0.5);
+    const EffectInstance effect = loss(0.5);
     StiffnessChange change;
     change.of = {effect.effect->name(), effect.where};
     return builder_.build({}, {change}).terms.front();
@@ -57,7 +57,7 @@ TEST_F(LossBesideModulus, FrfsChangeWithTheModulusAsDerived) {
   Eigen::VectorXcd s(3);
   s << std::complex<double>(5.0, 300.0), std::complex<double>(5.0, 700.0),
       std::complex<double>(5.0, 1500.0);
-  const Fitter fitter(builder_, setting_at(s));
+  const Fitter fitter(builder_, problem_at(s));
   const auto model = fitter.model_for({loss(0.5)});
   const auto at = [&](double modulus) {
     ModelState state = fitter.first_state(*model, {loss(0.3)});
@@ -79,7 +79,7 @@ TEST_F(LossBesideModulus, FrfsChangeWithTheModulusAsDerived) {
 // whatever elements have lost.
 TEST_F(LossBesideModulus, FrequenciesGoWithItsRoot) {
   const Fitter fitter(builder_,
-                      setting_at(Eigen::VectorXcd::Constant(1, {1.0, 200.0})));
+                      problem_at(Eigen::VectorXcd::Constant(1, {1.0, 200.0})));
   const auto model = fitter.model_for({loss(0.5)});
   ModelState state = fitter.first_state(*model, {loss(0.3)});
   state.factor = {1.0};

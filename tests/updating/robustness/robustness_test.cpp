@@ -14,8 +14,8 @@
 namespace tapfit::updating {
 namespace {
 
-PlacedEffect hidden_mass(double kg) {
-  Where where;
+EffectInstance hidden_mass(double kg) {
+  Location where;
   where.node = 30;
   return {&effects::find("added-mass"), where, {kg}};
 }
@@ -61,7 +61,7 @@ TEST_F(PlateWithAMass, AClearEffectStandsUnderEveryChange) {
 TEST_F(PlateWithAMass, AFitIsKeptAsItEnded) {
   const MadeFit& found = diagnosis_.rivals.found;
   ASSERT_EQ(found.effects.size(), 1U);
-  const Fit again = where_it_ended(found, test_.fitter().setting().setting);
+  const Fit again = where_it_ended(found, test_.fitter().problem().context);
   EXPECT_EQ(as_made(again).sizes, found.sizes);
   EXPECT_EQ(as_made(again).zeta, found.zeta);
   EXPECT_EQ(again.effects[0].where.node, 30);

@@ -10,9 +10,9 @@ namespace tapfit::updating {
 namespace {
 
 /// Two FRFs of each run; one property of the deck, two of its mesh.
-FitSetting setting_of(std::size_t runs) {
-  FitSetting setting;
-  setting.uncertain_sd = {0.03, 0.1, 0.2};
+FitProblem problem_of(std::size_t runs) {
+  FitProblem problem;
+  problem.uncertain_sd = {0.03, 0.1, 0.2};
   Target target;
   for (std::size_t run = 0; run < runs; ++run) {
     for (int sensor = 0; sensor < 2; ++sensor) {
@@ -20,15 +20,15 @@ FitSetting setting_of(std::size_t runs) {
       target.use.push_back(1.0);
     }
   }
-  setting.targets = {target, target};
-  return setting;
+  problem.targets = {target, target};
+  return problem;
 }
 
 const std::vector<PropertyName> properties{{"E:1", "Pa", 70e9}};
 
 std::vector<std::string> words_of(std::size_t runs) {
   std::vector<std::string> words;
-  for (const auto& change : setting_changes(setting_of(runs), properties)) {
+  for (const auto& change : setting_changes(problem_of(runs), properties)) {
     words.push_back(change.what);
   }
   return words;
@@ -53,10 +53,10 @@ TEST(SettingChanges, AreOfEachThingThatWasAssumed) {
 }
 
 TEST(SettingChanges, OfModesLeaveDampingAndRunsAlone) {
-  FitSetting setting = setting_of(1);
-  for (Target& target : setting.targets) target.modal_sd = 1e-3;
+  FitProblem problem = problem_of(1);
+  for (Target& target : problem.targets) target.modal_sd = 1e-3;
   std::vector<std::string> words;
-  for (const auto& change : setting_changes(setting, properties)) {
+  for (const auto& change : setting_changes(problem, properties)) {
     words.push_back(change.what);
   }
   EXPECT_EQ(
@@ -73,7 +73,7 @@ TEST(SettingChanges, OfModesLeaveDampingAndRunsAlone) {
 TEST(SettingChanges, ManyRunsGoInTenGroupsThatHoldEachOnce) {
   std::multiset<std::size_t> held;
   std::size_t groups = 0;
-  for (const auto& change : setting_changes(setting_of(24), properties)) {
+  for (const auto& change : setting_changes(problem_of(24), properties)) {
     if (change.left_out.empty()) continue;
     ++groups;
     EXPECT_LE(change.left_out.size(), 3U);
@@ -86,27 +86,27 @@ TEST(SettingChanges, ManyRunsGoInTenGroupsThatHoldEachOnce) {
 }
 
 TEST(SettingChanges, AreCarriedOut) {
-  const FitSetting setting = setting_of(3);
-  const auto under = [&setting](const std::string& what) {
-    for (const auto& change : setting_changes(setting, properties)) {
-      if (change.what == what) return changed(setting, change);
+  const FitProblem problem = problem_of(3);
+  const auto under = [&problem](const std::string& what) {
+    for (const auto& change : setting_changes(problem, properties)) {
+      if (change.what == what) return changed(problem, change);
     }
     ADD_FAILURE() << "no " << what;
-    return setting;
+    return problem;
   };
   EXPECT_EQ(under("prior of E:1 halved").uncertain_sd,
             (std::vector<double>{0.015, 0.1, 0.2}));
   EXPECT_EQ(under("prior of the model's corrections doubled").uncertain_sd,
             (std::vector<double>{0.03, 0.2, 0.4}));
   EXPECT_EQ(under("prior of damping doubled").damping_spread,
-            2.0 * setting.damping_spread);
+            2.0 * problem.damping_spread);
   EXPECT_EQ(under("allowance for form halved").form_allowance, 0.5);
   EXPECT_LT(under("E:1 held at the deck's value").uncertain_sd[0], 1e-5);
-  const FitSetting fewer = under("run 2 left out");
+  const FitProblem fewer = under("run 2 left out");
   for (const Target& target : fewer.targets) {
     EXPECT_EQ(target.use, (std::vector<double>{1, 1, 0, 0, 1, 1}));
   }
-  EXPECT_EQ(setting.targets[0].use[2], 1.0) << "the given one stays";
+  EXPECT_EQ(problem.targets[0].use[2], 1.0) << "the given one stays";
 }
 
 }  // namespace

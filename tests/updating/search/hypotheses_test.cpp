@@ -34,7 +34,7 @@ class Hidden : public support::HiddenInPlate {
   }
 
   void expect_found(const std::vector<int>& elements, double factor) {
-    Where where;
+    Location where;
     where.elements = elements;
     hide({{&effects::find("stiffness-loss"), where, {factor}}});
     const Hypothesis best = tried(8).front();
@@ -47,7 +47,7 @@ class Hidden : public support::HiddenInPlate {
 
 // Who looks on is told of fits that have ended, the likeliest first.
 TEST_F(Hidden, IsToldAsItIsTried) {
-  Where where;
+  Location where;
   where.node = 25;
   hide({{&effects::find("added-mass"), where, {0.05}}});
   HypothesisOptions options;
@@ -78,14 +78,14 @@ TEST_F(Hidden, LossOfALongStripIsFoundAsItIs) {
 // Where the model may be wrong by as much as other patches leave, their factors
 // belong to the interval; where it is known better, they do not.
 TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
-  Where where;
+  Location where;
   where.elements = {12, 13, 22, 23};
   hide({{&effects::find("stiffness-loss"), where, {0.5}}});
   const std::vector<Hypothesis> all = tried(8);
-  const PlacedEffect& own = all.front().own();
+  const EffectInstance& own = all.front().own();
   ASSERT_EQ(own.where.elements, where.elements);
-  const effects::Setting& setting = fitter_->setting().setting;
-  EXPECT_FALSE(patch_extent(all, own, 0.0, setting));
+  const effects::TestContext& context = fitter_->problem().context;
+  EXPECT_FALSE(patch_extent(all, own, 0.0, context));
   const Hypothesis* next = nullptr;  // of those that overlap
   for (const Hypothesis& h : all) {
     const bool overlaps = h.own().effect == own.effect &&
@@ -94,12 +94,12 @@ TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
     if (overlaps && next == nullptr) next = &h;
   }
   ASSERT_NE(next, nullptr);
-  const auto extent = patch_extent(all, own, next->fit.result.error, setting);
+  const auto extent = patch_extent(all, own, next->fit.result.error, context);
   ASSERT_TRUE(extent);
   const std::size_t size = next->own().where.elements.size();
   EXPECT_EQ(extent->fewest, std::min<std::size_t>(4, size));
   EXPECT_EQ(extent->most, std::max<std::size_t>(4, size));
-  Estimate factor = effect_estimates(all.front().fit, 0, setting).front();
+  Estimate factor = effect_estimates(all.front().fit, 0, context).front();
   const Estimate before = factor;
   widen(*extent, factor);
   EXPECT_LE(factor.lo95, std::min(before.lo95, next->own().p[0]));
@@ -108,7 +108,7 @@ TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
   EXPECT_GT(factor.sd, before.sd);
   EXPECT_LE(factor.sd, (factor.hi95 - factor.lo95) / 3.92 + 1e-12);
   // And so it stands in the ladder.
-  Chosen chosen{"stiffness-loss", 1.0};
+  SelectedEffect chosen{"stiffness-loss", 1.0};
   chosen.extent = extent;
   const Rung rung =
       ladder_of(all.front().fit, {chosen}, 0, *fitter_, {}).front();
@@ -117,12 +117,12 @@ TEST_F(Hidden, PatchesThatLeaveNoMoreThanTheFloorWidenTheInterval) {
   // Other kinds have no patches.
   for (const Hypothesis& h : all) {
     if (h.own().effect->name() != "added-mass") continue;
-    EXPECT_FALSE(patch_extent(all, h.own(), 1.0, setting));
+    EXPECT_FALSE(patch_extent(all, h.own(), 1.0, context));
   }
 }
 
 TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
-  Where where;
+  Location where;
   where.node = 31;
   hide({{&effects::find("added-mass"), where, {0.02}}});
   const std::vector<Hypothesis> all = tried(8);
@@ -138,9 +138,9 @@ TEST_F(Hidden, MassIsFoundAtItsOwnGrid) {
 // What is known already stands among the others as it is, and what leaves many
 // times its error is not looked at any closer.
 TEST_F(Hidden, KnownEffectIsNotFittedAgainAndRuledOutKindsAreNotFollowed) {
-  Where where;
+  Location where;
   where.node = 31;
-  const PlacedEffect mass{&effects::find("added-mass"), where, {0.02}};
+  const EffectInstance mass{&effects::find("added-mass"), where, {0.02}};
   hide({mass});
   const Fit known = fitter_->fit({mass}, fitter_->model_for({mass}));
   HypothesisOptions options;
@@ -173,8 +173,8 @@ TEST_F(Hidden, KnownEffectIsNotFittedAgainAndRuledOutKindsAreNotFollowed) {
 // force and side stiffness are found.
 TEST_F(Hidden, PullOfAWireIsFound) {
   const effects::Effect& effect = effects::find("prestress");
-  const Where where =
-      effect.places(support::plate_setting(bundle_, deck_)).front();
+  const Location where =
+      effect.places(support::plate_context(bundle_, deck_)).front();
   StiffnessChange change;
   change.kind = ChangeKind::Preload;
   change.of = {effect.name(), where};

@@ -16,8 +16,8 @@
 namespace tapfit::updating {
 namespace {
 
-Where left_end(const std::string& how) {
-  Where where;
+Location left_end(const std::string& how) {
+  Location where;
   where.nodes = {1, 12, 23, 34, 45};
   where.variant = how;
   return where;
@@ -26,24 +26,26 @@ Where left_end(const std::string& how) {
 // A test of a plate whose deck hangs free.
 class FreeDeck {
  public:
-  explicit FreeDeck(const std::vector<PlacedEffect>& hidden)
+  explicit FreeDeck(const std::vector<EffectInstance>& hidden)
       : test_(hidden, 0.02, 13, 0.008, false),
         fit_(test_.fitter().fit({}, test_.fitter().model_for({}))) {}
 
   // What a base is built for.
-  [[nodiscard]] std::vector<Where> asked_for() const {
+  [[nodiscard]] std::vector<Location> asked_for() const {
     const std::vector<Screened> all = screen(fit_, test_.fitter(), {});
-    std::vector<Where> places;
+    std::vector<Location> places;
     for (const Planned& plan :
          planned_fits(fit_, all, test_.fitter(), HypothesisOptions{})) {
-      for (const PlacedEffect& tried : plan.tries) {
+      for (const EffectInstance& tried : plan.tries) {
         if (is_held(tried.where)) places.push_back(tried.where);
       }
     }
     return places;
   }
 
-  [[nodiscard]] MisfitScan misfit() const { return {anywhere(), target()}; }
+  [[nodiscard]] ProjectedMisfit misfit() const {
+    return {anywhere(), target()};
+  }
 
   [[nodiscard]] std::vector<Screened> screened() const {
     const Fit fit = anywhere();
@@ -57,7 +59,7 @@ class FreeDeck {
 
  private:
   [[nodiscard]] const Target& target() const {
-    return test_.fitter().setting().targets.front();
+    return test_.fitter().problem().targets.front();
   }
   // Its model may be asked about any grid.
   [[nodiscard]] Fit anywhere() const {
@@ -72,9 +74,9 @@ class FreeDeck {
 
 TEST(ScreenClamps, AsksForAFewBasesAndTheRightOneAmongThem) {
   for (const char* how : {"held", "held-translations"}) {
-    const Where end = left_end(how);
+    const Location end = left_end(how);
     const FreeDeck test({{&effects::find("support-mismatch"), end, {}}});
-    const std::vector<Where> places = test.asked_for();
+    const std::vector<Location> places = test.asked_for();
     EXPECT_EQ(std::ranges::count(places, end), 1) << how;
     EXPECT_LE(places.size(), 2U) << "of 22";
   }
@@ -100,7 +102,7 @@ TEST(ScreenClamps, PutsTheEndThatWasHeldFirst) {
 
 TEST(ScreenClamps, AsksForNoneWhereTheTestWasFreeAsWell) {
   EXPECT_TRUE(FreeDeck({}).asked_for().empty());
-  Where grid;
+  Location grid;
   grid.node = 30;
   const FreeDeck loaded({{&effects::find("added-mass"), grid, {0.03}}});
   EXPECT_TRUE(loaded.asked_for().empty());
@@ -110,7 +112,7 @@ TEST(ScreenClamps, OfPromisingOnesStandForAll) {
   const FreeDeck test(
       {{&effects::find("support-mismatch"), left_end("held"), {}}});
   const std::vector<Screened> all = test.screened();
-  const MisfitScan misfit = test.misfit();
+  const ProjectedMisfit misfit = test.misfit();
   const std::vector<Screened> few = promising_clamps(all, misfit);
   ASSERT_EQ(few.size(), 2U);
   EXPECT_EQ(few[0].placed.where, all[0].placed.where);

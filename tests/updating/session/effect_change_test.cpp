@@ -11,7 +11,7 @@ namespace {
 using Effects = std::vector<AddedEffect>;
 
 EffectRef mass_at(int node) {
-  Where where;
+  Location where;
   where.node = node;
   return {"added-mass", where};
 }

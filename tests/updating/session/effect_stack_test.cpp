@@ -3,7 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
-#include "updating/fit/fit_watch.hpp"
+#include "updating/fit/fit_observer.hpp"
 #include "updating/measurement/damped_line.hpp"
 
 #include <gtest/gtest.h>
@@ -26,14 +26,14 @@ EffectRef mass_at(int node) {
 class EffectStackTest : public ::testing::Test, protected support::BasedPlate {
  protected:
   EffectStackTest() {
-    FitSetting fit;
-    fit.setting = setting_;
+    FitProblem fit;
+    fit.context = context_;
     fit.uncertain_sd = {0.03};
     fit.measured = support::plate_pairs(
         bundle_, damped_line({10.0, 400.0}, 3.0, {0.03, 120}));
     fit.targets = {make_target(fit.measured)};
     const Fitter bare(builder_, fit);
-    const std::vector<PlacedEffect> hidden = {
+    const std::vector<EffectInstance> hidden = {
         {&effects::find("added-mass"), mass_at(9).where, {0.030}},
         {&effects::find("added-mass"), mass_at(53).where, {0.020}}};
     const auto model = bare.model_for(hidden);
@@ -52,8 +52,8 @@ class EffectStackTest : public ::testing::Test, protected support::BasedPlate {
   }
 
   [[nodiscard]] StackFit how() const {
-    return {fitter_->setting().setting,
-            [this](const std::vector<PlacedEffect>& effects,
+    return {fitter_->problem().context,
+            [this](const std::vector<EffectInstance>& effects,
                    const Fit& before,
                    const Progress& progress) {
               return fitter_->fit(
@@ -99,7 +99,7 @@ TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {
   // of.
   StackFit again = how();
   double factor = 1.0;
-  again.fit = [&](const std::vector<PlacedEffect>& effects,
+  again.fit = [&](const std::vector<EffectInstance>& effects,
                   const Fit&,
                   const Progress&) {
     Fit fit = stack_->fits().back();
@@ -176,12 +176,12 @@ TEST_F(EffectStackTest, AddsSeveralTogetherAsOneStep) {
 TEST_F(EffectStackTest, ProgressDoesNotFallAndStepsAreStillTold) {
   std::vector<double> shares;
   int steps = 0;
-  FitWatch watch;
-  watch.step = [&steps](const FitMoment&) { ++steps; };
+  FitObserver observer;
+  observer.step = [&steps](const IterationSummary&) { ++steps; };
   const Progress progress{
       [&shares](std::string_view, double s) { shares.push_back(s); },
       {},
-      std::make_shared<const FitWatch>(watch)};
+      std::make_shared<const FitObserver>(observer)};
   stack_->add_together({mass_at(9), mass_at(53)}, how(), progress);
   EXPECT_TRUE(std::ranges::is_sorted(shares));
   ASSERT_FALSE(shares.empty());
@@ -233,9 +233,9 @@ TEST_F(EffectStackTest, EveryChangeIsUndoneAndDoneAgain) {
 
 // A user who has fits end after so many steps.
 Progress impatient(int steps) {
-  FitWatch watch;
-  watch.enough = [asked = 0, steps]() mutable { return ++asked >= steps; };
-  return {{}, {}, std::make_shared<const FitWatch>(watch)};
+  FitObserver observer;
+  observer.enough = [asked = 0, steps]() mutable { return ++asked >= steps; };
+  return {{}, {}, std::make_shared<const FitObserver>(observer)};
 }
 
 TEST_F(EffectStackTest, AFitThatWasKeptComesBackAsItWas) {

@@ -102,7 +102,7 @@ TEST_F(SavedSessionTest, CountsRunsAndHitsFromOneInTheFile) {
 }
 
 TEST_F(SavedSessionTest, KeepsWhatWasAddedTogether) {
-  Where where;
+  Location where;
   where.node = 5;
   const EffectRef mass{"added-mass", where};
   const EffectRef spring{"ground-spring", where};
@@ -122,7 +122,7 @@ TEST_F(SavedSessionTest, ReadsFilesOfEarlierVersions) {
           "undone": [{"switched": 2},
                      {"effect": "added-mass", "node": 5, "nodes": [],
                       "elements": [], "channels": [], "variant": ""}]})"));
-  Where where;
+  Location where;
   where.node = 5;
   EXPECT_EQ(
       read.undone,

@@ -57,7 +57,7 @@ TEST_F(Swaps, TwiceAreNone) {
 }
 
 TEST_F(Swaps, KeepWhatWasPutRightBefore) {
-  const Where where{.node = 33, .nodes = {36}, .channels = {"acc2"}};
+  const Location where{.node = 33, .nodes = {36}, .channels = {"acc2"}};
   point_mislabelled().correct(where, written_, sheet_);
   swap("acc1", "acc2");
   EXPECT_EQ(at(0), (Dof{33, 3, -1}));

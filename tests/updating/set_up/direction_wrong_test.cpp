@@ -15,11 +15,11 @@ class Directions : public ::testing::Test {
   [[nodiscard]] bool tries(const std::vector<std::string>& channels,
                            int grid,
                            const std::string& direction) const {
-    Where where{.channels = channels};
+    Location where{.channels = channels};
     if (grid != 0) where.nodes = {grid};
     where.variant = direction;
-    const std::vector<Where> all =
-        direction_wrong().places(support::plate_setting(bundle_, deck_));
+    const std::vector<Location> all =
+        direction_wrong().places(support::plate_context(bundle_, deck_));
     return std::ranges::find(all, where) != all.end();
   }
 
@@ -48,9 +48,9 @@ TEST_F(Directions, AreAllOthersOfAChannel) {
 // acc1 along +Z, acc2 along -Z: no two of them are both along +X.
 TEST_F(Directions, OfSeveralAreTurnedTogether) {
   const std::vector<std::string> both = {"acc1", "acc2"};
-  const std::vector<Where> all =
-      direction_wrong().places(support::plate_setting(bundle_, deck_));
-  EXPECT_EQ(std::ranges::count(all, both, &Where::channels), 4)
+  const std::vector<Location> all =
+      direction_wrong().places(support::plate_context(bundle_, deck_));
+  EXPECT_EQ(std::ranges::count(all, both, &Location::channels), 4)
       << "Z along X or Y, either way; along -Z is the hammer's polarity";
   EXPECT_FALSE(tries(both, 0, "+X"));
 }
@@ -58,12 +58,12 @@ TEST_F(Directions, OfSeveralAreTurnedTogether) {
 TEST_F(Directions, OfATriaxialSensorAreAllItsTurns) {
   make_triaxial();
   const std::vector<std::string> three = {"acc1", "acc2", "acc3"};
-  const std::vector<Where> all =
-      direction_wrong().places(support::plate_setting(bundle_, deck_));
-  EXPECT_EQ(std::ranges::count(all, three, &Where::channels), 23)
+  const std::vector<Location> all =
+      direction_wrong().places(support::plate_context(bundle_, deck_));
+  EXPECT_EQ(std::ranges::count(all, three, &Location::channels), 23)
       << "24 turns bring axes onto axes, one of which is none";
   ASSERT_TRUE(tries(three, 0, "XYZ=+Y-X+Z"));
-  const Where quarter{.channels = three, .variant = "XYZ=+Y-X+Z"};
+  const Location quarter{.channels = three, .variant = "XYZ=+Y-X+Z"};
   acquisition::TestBundle sheet = bundle_;
   direction_wrong().correct(quarter, bundle_, sheet);
   const std::vector<acquisition::Placement>& is = sheet.runs[2].sensors;
@@ -75,8 +75,8 @@ TEST_F(Directions, OfATriaxialSensorAreAllItsTurns) {
 // Each is another direction of the sensor, and right-handed as it was.
 TEST_F(Directions, StayAtRightAnglesToEachOther) {
   make_triaxial();
-  for (const Where& where :
-       direction_wrong().places(support::plate_setting(bundle_, deck_))) {
+  for (const Location& where :
+       direction_wrong().places(support::plate_context(bundle_, deck_))) {
     if (where.channels.size() < 3) continue;
     acquisition::TestBundle sheet = bundle_;
     direction_wrong().correct(where, bundle_, sheet);
@@ -97,7 +97,7 @@ TEST_F(Directions, TurnRoundAtOnePointOfAChannelThatMoves) {
 }
 
 TEST_F(Directions, AreCorrectedOnTheSheet) {
-  const Where where{.channels = {"acc2"}, .variant = "+X"};
+  const Location where{.channels = {"acc2"}, .variant = "+X"};
   EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: -Z -> "
                                      "+X"});
@@ -110,7 +110,7 @@ TEST_F(Directions, AtAPointOfTheTestsOwnAreSaidAsVectors) {
   skew.axes << 0.8, 0.0, 0.6, 0.0, 1.0, 0.0, -0.6, 0.0, 0.8;
   bundle_.points = {skew};
   for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = -3;
-  const Where where{.channels = {"acc2"}, .variant = "+X"};
+  const Location where{.channels = {"acc2"}, .variant = "+X"};
   EXPECT_EQ(sheet_edits(direction_wrong(), where, bundle_, bundle_),
             std::vector<std::string>{"runs[0-5].sensors[1].direction: "
                                      "[-0.6, 0, -0.8] -> [0.8, 0, -0.6]"});

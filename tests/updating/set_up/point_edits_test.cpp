@@ -16,14 +16,14 @@ class PointEdits : public ::testing::Test {
  protected:
   PointEdits() { bundle_.frfs = "plate.uff"; }
 
-  [[nodiscard]] Edits edits(const Effect& effect, const Where& where) const {
+  [[nodiscard]] Edits edits(const Effect& effect, const Location& where) const {
     return sheet_edits(effect, where, bundle_, bundle_);
   }
-  static Where of(const std::vector<std::string>& channels,
-                  const std::string& variant = {}) {
+  static Location of(const std::vector<std::string>& channels,
+                     const std::string& variant = {}) {
     return {.channels = channels, .variant = variant};
   }
-  static Where at(const std::string& channel, int written, int real) {
+  static Location at(const std::string& channel, int written, int real) {
     return {.node = real, .nodes = {written}, .channels = {channel}};
   }
 
@@ -40,7 +40,7 @@ TEST_F(PointEdits, NamePointsOfTheFile) {
 }
 
 TEST_F(PointEdits, NameTheBlowsOfWhichASensorWasElsewhere) {
-  Where where = at("acc2", 36, 33);
+  Location where = at("acc2", 36, 33);
   where.runs = {4, 5};
   EXPECT_EQ(edits(point_mislabelled(), where),
             Edits{"FRFs measured at 36Z- -> 33Z-, hit at 6Z+, 28Z+"});

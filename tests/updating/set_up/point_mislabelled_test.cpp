@@ -10,8 +10,8 @@ namespace {
 
 class Mislabelled : public ::testing::Test {
  protected:
-  [[nodiscard]] std::vector<Where> places() const {
-    return point_mislabelled().places(support::plate_setting(bundle_, deck_));
+  [[nodiscard]] std::vector<Location> places() const {
+    return point_mislabelled().places(support::plate_context(bundle_, deck_));
   }
 
   structure::Deck deck_ = support::plate_deck(true);
@@ -19,18 +19,18 @@ class Mislabelled : public ::testing::Test {
 };
 
 TEST_F(Mislabelled, AreGridsOfTheSheetWithTheOtherLeftOpen) {
-  const std::vector<Where> all = places();
+  const std::vector<Location> all = places();
   EXPECT_EQ(all.size(), 28U) << "8 points, 2 sensors parted by 5 cuts";
-  for (const Where& where : all) EXPECT_EQ(where.node, 0);
+  for (const Location& where : all) EXPECT_EQ(where.node, 0);
 }
 
 // Component X of P3 is along an axis of P3's own, which is none of grid 8.
 TEST_F(Mislabelled, AreNoPointsOfTheTestsOwn) {
   for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = -3;
-  const std::vector<Where> all = places();
+  const std::vector<Location> all = places();
   EXPECT_EQ(all.size(), 17U) << "those of the hammer and acc1";
   EXPECT_TRUE(std::ranges::none_of(
-      all, [](const Where& where) { return where.nodes.front() < 0; }));
+      all, [](const Location& where) { return where.nodes.front() < 0; }));
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ using Edits = std::vector<std::string>;
 
 // With nothing put right before.
 Edits edits(const Effect& effect,
-            const Where& where,
+            const Location& where,
             const acquisition::TestBundle& written) {
   return sheet_edits(effect, where, written, written);
 }
@@ -20,14 +20,14 @@ Edits edits(const Effect& effect,
 TEST(SheetEdits, NameRunPlaceAndGrids) {
   const acquisition::TestBundle bundle = support::plate_bundle();
   // Grid 28 is hit in the fourth run.
-  const Where where{.node = 30, .nodes = {28}, .channels = {"hammer"}};
+  const Location where{.node = 30, .nodes = {28}, .channels = {"hammer"}};
   EXPECT_EQ(edits(point_mislabelled(), where, bundle),
             Edits{"runs[3].hammer.node: 28 -> 30"});
 }
 
 TEST(SheetEdits, AreOneForRunsAlike) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  const Where where{
+  const Location where{
       .node = 33, .nodes = {36}, .channels = {"acc2"}, .runs = {1, 4, 5, 6}};
   EXPECT_EQ(edits(point_mislabelled(), where, bundle),
             Edits{"runs[0,3-5].sensors[1].node: 36 -> 33"});
@@ -35,7 +35,7 @@ TEST(SheetEdits, AreOneForRunsAlike) {
 
 TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  const Where where{.channels = {"acc1", "acc2"}};
+  const Location where{.channels = {"acc1", "acc2"}};
   EXPECT_EQ(edits(channel_swap(), where, bundle),
             (Edits{"runs[0-5].sensors[0].direction: +Z -> -Z",
                    "runs[0-5].sensors[0].node: 11 -> 36",
@@ -47,7 +47,7 @@ TEST(SheetEdits, OfASwapAreGridAndDirectionOfBoth) {
 TEST(SheetEdits, OfASensitivityCountInWhateverUnitTheFileHas) {
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.channels[1].sensitivity = 0.1 / 9.80665;
-  Where where{.channels = {"acc1"}};
+  Location where{.channels = {"acc1"}};
   EXPECT_EQ(edits(channel_polarity(), where, bundle),
             Edits{"channels[1].sensitivity: other sign"});
   where.variant = "9.807";
@@ -67,7 +67,7 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
   g.unit_to_si = 9.80665;
   g.sensitivity = 0.1;
   g.full_scale_volts = 5.0;
-  const Where where{.channels = {"acc1"}, .variant = "integrated"};
+  const Location where{.channels = {"acc1"}, .variant = "integrated"};
   EXPECT_EQ(edits(unit_factor(), where, bundle),
             (Edits{"channels[1].quantity: acceleration -> velocity",
                    "channels[1].unit: g -> m/s",
@@ -81,7 +81,7 @@ TEST(SheetEdits, OfAQuantityAreItsUnitAndSensitivityToo) {
 
 TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where{.nodes = {1, 12}};
+  Location where{.nodes = {1, 12}};
   const auto released = [&](const std::string& variant) {
     where.variant = variant;
     return edits(support_mismatch(), where, bundle);
@@ -99,7 +99,7 @@ TEST(SheetEdits, OfASupportAreTheComponentsThatItDoesNotHold) {
 
 TEST(SheetEdits, AreNoneWhereTheSheetHasNoNumberForIt) {
   const acquisition::TestBundle bundle = support::plate_bundle();
-  Where where{.channels = {"acc1"}};
+  Location where{.channels = {"acc1"}};
   EXPECT_TRUE(edits(channel_gain(), where, bundle).empty());
   where.variant = "10";
   where.runs = {4};

@@ -12,7 +12,7 @@ using Parts = std::vector<std::string>;
 const Effect& point = point_mislabelled();
 
 TEST(SheetPlace, IsAChannelTwoGridsAndRuns) {
-  const Where where =
+  const Location where =
       read_sheet_place({"acc1", "8", "6", "run2", "run4-6"}, point);
   EXPECT_EQ(where.channels, Parts{"acc1"});
   EXPECT_EQ(where.nodes, std::vector{8});
@@ -21,7 +21,7 @@ TEST(SheetPlace, IsAChannelTwoGridsAndRuns) {
 }
 
 TEST(SheetPlace, LeavesOpenWhatIsNotSaid) {
-  const Where where = read_sheet_place({"x", "y", "6"}, point);
+  const Location where = read_sheet_place({"x", "y", "6"}, point);
   EXPECT_EQ(where.channels, (Parts{"x", "y"}));
   EXPECT_EQ(where.node, 6);
   EXPECT_TRUE(where.nodes.empty());
@@ -29,17 +29,17 @@ TEST(SheetPlace, LeavesOpenWhatIsNotSaid) {
 }
 
 TEST(SheetPlace, TakesTheFirstNumberForAChannel) {
-  const Where where = read_sheet_place({"3", "8", "6"}, point);
+  const Location where = read_sheet_place({"3", "8", "6"}, point);
   EXPECT_EQ(where.channels, Parts{"3"});
   EXPECT_EQ(where.nodes, std::vector{8});
   EXPECT_EQ(where.node, 6);
 }
 
 TEST(SheetPlace, IsReadBackAsItIsWritten) {
-  const Where where{.node = 6,
-                    .nodes = {8},
-                    .channels = {"acc1", "acc2"},
-                    .runs = {1, 2, 3, 5, 8, 9}};
+  const Location where{.node = 6,
+                       .nodes = {8},
+                       .channels = {"acc1", "acc2"},
+                       .runs = {1, 2, 3, 5, 8, 9}};
   const std::string text = sheet_place_text(where);
   EXPECT_EQ(text, "acc1:acc2:8:6:run1-3:run5:run8-9");
   EXPECT_EQ(read_sheet_place(
@@ -56,7 +56,7 @@ TEST(SheetPlace, HasEachRunOnceInTheirOrder) {
 
 // As it is offered while it is typed.
 TEST(SheetPlace, LeavesTheStructuresGridOpenBehindAColon) {
-  Where where{.nodes = {8}, .channels = {"acc1"}};
+  Location where{.nodes = {8}, .channels = {"acc1"}};
   EXPECT_EQ(sheet_place_text(where), "acc1:8:");
   EXPECT_EQ(read_sheet_place({"acc1", "8", ""}, point), where);
   where.runs = {2};
@@ -65,13 +65,13 @@ TEST(SheetPlace, LeavesTheStructuresGridOpenBehindAColon) {
 }
 
 TEST(SheetPlace, MayBeAPointOfTheTestsOwn) {
-  const Where where{.nodes = {-3}, .channels = {"acc1"}, .variant = "+X"};
+  const Location where{.nodes = {-3}, .channels = {"acc1"}, .variant = "+X"};
   EXPECT_EQ(sheet_place_text(where), "acc1:P3:+X");
   EXPECT_EQ(read_sheet_place({"acc1", "P3", "+X"}, direction_wrong()), where);
 }
 
 TEST(SheetPlace, HasADirectionBehindTheGridOfTheSheet) {
-  const Where where =
+  const Location where =
       read_sheet_place({"acc1", "8", "-X", "run3"}, direction_wrong());
   EXPECT_EQ(where.nodes, std::vector{8});
   EXPECT_EQ(where.node, 0);

@@ -11,10 +11,10 @@ namespace {
 
 class SheetPoints : public ::testing::Test {
  protected:
-  [[nodiscard]] std::vector<Where> points() const {
-    return written_points(support::plate_setting(bundle_, deck_));
+  [[nodiscard]] std::vector<Location> points() const {
+    return written_points(support::plate_context(bundle_, deck_));
   }
-  static Where at(const std::vector<std::string>& channels, int grid) {
+  static Location at(const std::vector<std::string>& channels, int grid) {
     return {.nodes = {grid}, .channels = channels};
   }
 
@@ -23,7 +23,7 @@ class SheetPoints : public ::testing::Test {
 };
 
 TEST_F(SheetPoints, AreEachHitAndEachSensorOnce) {
-  const std::vector<Where> all = points();
+  const std::vector<Location> all = points();
   EXPECT_EQ(all.size(), 8U) << "six hits, two sensors that stay";
   EXPECT_TRUE(std::ranges::count(all, at({"hammer"}, 52)) == 1);
   EXPECT_TRUE(std::ranges::count(all, at({"acc2"}, 36)) == 1);
@@ -31,43 +31,43 @@ TEST_F(SheetPoints, AreEachHitAndEachSensorOnce) {
 
 TEST_F(SheetPoints, OfOneGridAreOneSensorToo) {
   for (acquisition::Run& run : bundle_.runs) run.sensors[1].dof.node = 11;
-  const std::vector<Where> all = points();
+  const std::vector<Location> all = points();
   EXPECT_EQ(all.size(), 9U);
   EXPECT_TRUE(std::ranges::count(all, at({"acc1", "acc2"}, 11)) == 1);
 }
 
 TEST_F(SheetPoints, OfSensorsArePartedByRuns) {
-  const std::vector<Where> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
+  const std::vector<Location> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
   EXPECT_EQ(parts.size(), 10U) << "five cuts of six runs, both sides";
   const std::vector<int> from_fourth = {4, 5, 6};
   const std::vector<int> first_two = {1, 2};
-  EXPECT_EQ(std::ranges::count(parts, from_fourth, &Where::runs), 1);
-  EXPECT_EQ(std::ranges::count(parts, first_two, &Where::runs), 1);
+  EXPECT_EQ(std::ranges::count(parts, from_fourth, &Location::runs), 1);
+  EXPECT_EQ(std::ranges::count(parts, first_two, &Location::runs), 1);
   EXPECT_TRUE(parted_by_runs(at({"hammer"}, 52), bundle_).empty());
 }
 
 // Runs of one placement are averaged: their sensors cannot be told apart.
 TEST_F(SheetPoints, AreNotPartedWithinAnAverage) {
   bundle_.runs[3].hammer.dof = bundle_.runs[2].hammer.dof;
-  const std::vector<Where> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
+  const std::vector<Location> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
   EXPECT_EQ(parts.size(), 8U);
   const std::vector<int> from_fourth = {4, 5, 6};
-  EXPECT_EQ(std::ranges::count(parts, from_fourth, &Where::runs), 0);
+  EXPECT_EQ(std::ranges::count(parts, from_fourth, &Location::runs), 0);
 }
 
 // A point that is hit again later: both runs are one average.
 TEST_F(SheetPoints, ArePartedByWholeAverages) {
   bundle_.runs[4].hammer.dof = bundle_.runs[1].hammer.dof;
-  const std::vector<Where> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
+  const std::vector<Location> parts = parted_by_runs(at({"acc1"}, 11), bundle_);
   EXPECT_EQ(parts.size(), 8U);
   const std::vector<int> before = {1, 2, 3, 5};
   const std::vector<int> after = {4, 6};
-  EXPECT_EQ(std::ranges::count(parts, before, &Where::runs), 1);
-  EXPECT_EQ(std::ranges::count(parts, after, &Where::runs), 1);
+  EXPECT_EQ(std::ranges::count(parts, before, &Location::runs), 1);
+  EXPECT_EQ(std::ranges::count(parts, after, &Location::runs), 1);
 }
 
 TEST_F(SheetPoints, MeansChannelsAtItsGridInItsRuns) {
-  Where where = at({"acc1"}, 11);
+  Location where = at({"acc1"}, 11);
   where.runs = {2, 3};
   acquisition::TestBundle sheet = bundle_;
   for_each_meant(

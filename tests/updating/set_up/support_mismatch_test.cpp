@@ -13,7 +13,7 @@
 namespace tapfit::effects {
 namespace {
 
-using updating::PlacedEffect;
+using updating::EffectInstance;
 
 // The clamped plate, its corner 55 held along an axis between Y and Z as well.
 class TurnedSupport : public updating::PlateModel {
@@ -26,14 +26,14 @@ class TurnedSupport : public updating::PlateModel {
     corner_.variant = "free";
   }
 
-  [[nodiscard]] Setting setting() const {
-    return support::plate_setting(bundle_, held_);
+  [[nodiscard]] TestContext context() const {
+    return support::plate_context(bundle_, held_);
   }
   [[nodiscard]] Eigen::MatrixXcd frfs(
       const structure::Deck& deck,
-      const std::vector<PlacedEffect>& effects) const {
-    updating::FitSetting fit = fitter_->setting();
-    fit.setting = support::plate_setting(bundle_, deck);
+      const std::vector<EffectInstance>& effects) const {
+    updating::FitProblem fit = fitter_->problem();
+    fit.context = support::plate_context(bundle_, deck);
     const updating::BaseBuilder builder(deck,
                                         bundle_.uncertain,
                                         support::plate_base(bundle_, deck),
@@ -44,17 +44,17 @@ class TurnedSupport : public updating::PlateModel {
   }
 
   structure::Deck held_ = support::plate_deck(true);
-  Where corner_;
+  Location corner_;
 };
 
 TEST_F(TurnedSupport, IsFreeOfWhatItHoldsAlongItsOwnAxes) {
-  const std::vector<Where> places = support_mismatch().places(setting());
+  const std::vector<Location> places = support_mismatch().places(context());
   EXPECT_EQ(std::ranges::count(places, corner_), 1);
-  const auto released = support_mismatch().released(corner_, setting());
+  const auto released = support_mismatch().released(corner_, context());
   ASSERT_EQ(released.size(), 1U);
   EXPECT_EQ(released[0].grid, 55);
   EXPECT_EQ(released[0].components, "3");
-  Where along = corner_;
+  Location along = corner_;
   along.variant = "free-Z";
   EXPECT_EQ(std::ranges::count(places, along), 0) << "none of its axes";
 }
@@ -63,7 +63,7 @@ TEST_F(TurnedSupport, FreedIsThePlateWithoutIt) {
   const Eigen::MatrixXcd plain = frfs(deck_, {});
   const Eigen::MatrixXcd held = frfs(held_, {});
   EXPECT_GT(updating::difference(held, plain), 0.1);
-  const PlacedEffect free{&find("support-mismatch"), corner_, {}};
+  const EffectInstance free{&find("support-mismatch"), corner_, {}};
   // Static answers bring both bases to about 1e-6 of each other.
   EXPECT_LT(updating::difference(frfs(held_, {free}), plain), 1e-4);
 }
@@ -75,12 +75,12 @@ class MissingSupport : public TurnedSupport {
     root_.variant = "held";
   }
 
-  [[nodiscard]] Setting free_setting() const {
-    return support::plate_setting(bundle_, free_);
+  [[nodiscard]] TestContext free_setting() const {
+    return support::plate_context(bundle_, free_);
   }
 
   structure::Deck free_ = support::plate_deck(false);
-  Where root_;
+  Location root_;
 };
 
 TEST_F(MissingSupport, HeldIsThePlateThatHasIt) {
@@ -90,7 +90,7 @@ TEST_F(MissingSupport, HeldIsThePlateThatHasIt) {
     for (const int node : root_.nodes) {
       clamped.constraints.push_back({node, updating::held_components(variant)});
     }
-    const PlacedEffect held{&find("support-mismatch"), root_, {}};
+    const EffectInstance held{&find("support-mismatch"), root_, {}};
     const Eigen::MatrixXcd expected = frfs(clamped, {});
     EXPECT_GT(updating::difference(frfs(free_, {}), expected), 0.1) << variant;
     // Static answers bring both bases to about 1e-6 of each other.
@@ -100,7 +100,8 @@ TEST_F(MissingSupport, HeldIsThePlateThatHasIt) {
 }
 
 TEST_F(MissingSupport, IsLookedForAlongEdgesAndAtCorners) {
-  const std::vector<Where> places = support_mismatch().places(free_setting());
+  const std::vector<Location> places =
+      support_mismatch().places(free_setting());
   EXPECT_EQ(std::ranges::count(places, root_), 1);
   root_.variant = "held-translations";
   EXPECT_EQ(std::ranges::count(places, root_), 1);
@@ -112,7 +113,8 @@ TEST_F(MissingSupport, IsLookedForAlongEdgesAndAtCorners) {
 
 TEST_F(MissingSupport, IsNotLookedForWhereTheDeckIsHeld) {
   free_.constraints.push_back({55, "3"});
-  const std::vector<Where> places = support_mismatch().places(free_setting());
+  const std::vector<Location> places =
+      support_mismatch().places(free_setting());
   EXPECT_FALSE(places.empty());
   EXPECT_TRUE(std::ranges::none_of(places, updating::is_held));
 }
@@ -122,7 +124,8 @@ TEST_F(MissingSupport, HoldsNothingThatIsHeldEverywhere) {
   for (const structure::Grid& grid : free_.grids) {
     free_.constraints.push_back({grid.id, "126"});
   }
-  const std::vector<Where> places = support_mismatch().places(free_setting());
+  const std::vector<Location> places =
+      support_mismatch().places(free_setting());
   EXPECT_EQ(std::ranges::count(places, root_), 1);
   EXPECT_EQ(places.size(), 22U);
   const auto fresh = updating::newly_held(free_, root_);

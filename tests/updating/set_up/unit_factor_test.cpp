@@ -10,7 +10,7 @@
 namespace tapfit::effects {
 namespace {
 
-Where reading(const std::string& slip) {
+Location reading(const std::string& slip) {
   return {.channels = {"acc1"}, .variant = slip};
 }
 
@@ -57,15 +57,15 @@ TEST(UnitFactor, HasEachFactorOnce) {
 TEST(UnitFactor, IsSoughtInAllRunsAndInEach) {
   const structure::Deck deck = support::plate_deck(true);
   const acquisition::TestBundle bundle = support::plate_bundle();
-  const std::vector<Where> places =
-      unit_factor().places(support::plate_setting(bundle, deck));
-  Where single = reading("10");
+  const std::vector<Location> places =
+      unit_factor().places(support::plate_context(bundle, deck));
+  Location single = reading("10");
   EXPECT_EQ(std::ranges::count(places, single), 1);
   single.runs = {6};
   EXPECT_EQ(std::ranges::count(places, single), 1);
   // An accelerometer is no displacement sensor from one run to the next, and no
   // sensor of what no one measures.
-  Where integrated = reading("integrated");
+  Location integrated = reading("integrated");
   EXPECT_EQ(std::ranges::count(places, integrated), 1);
   integrated.runs = {6};
   EXPECT_EQ(std::ranges::count(places, integrated), 0);
@@ -78,9 +78,9 @@ TEST(UnitFactor, IsSoughtInTheRunsOfEachAverage) {
   acquisition::TestBundle bundle = support::plate_bundle();
   bundle.runs[5].hammer.dof = bundle.runs[1].hammer.dof;
   const auto places = [&] {
-    return unit_factor().places(support::plate_setting(bundle, deck));
+    return unit_factor().places(support::plate_context(bundle, deck));
   };
-  Where single = reading("10");
+  Location single = reading("10");
   single.runs = {2, 6};
   EXPECT_EQ(std::ranges::count(places(), single), 1);
   for (const int run : {2, 6}) {
@@ -88,7 +88,7 @@ TEST(UnitFactor, IsSoughtInTheRunsOfEachAverage) {
     EXPECT_EQ(std::ranges::count(places(), single), 0) << run;
   }
   for (acquisition::Run& run : bundle.runs) run = bundle.runs.front();
-  EXPECT_TRUE(std::ranges::all_of(places(), [](const Where& where) {
+  EXPECT_TRUE(std::ranges::all_of(places(), [](const Location& where) {
     return where.runs.empty();
   })) << "one average is all there is";
 }

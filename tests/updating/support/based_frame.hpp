@@ -72,15 +72,15 @@ struct BasedFrame {
   std::vector<updating::Correction> corrections =
       builder.hold_corrections(coarse);
 
-  [[nodiscard]] effects::Setting setting() const {
-    effects::Setting setting;
-    setting.bundle = &bundle;
-    setting.deck = &deck;
-    setting.mass_kg = builder.mass_kg();
-    setting.low_hz = frame_band_hz[0];
-    setting.high_hz = frame_band_hz[1];
-    setting.component = 3;
-    return setting;
+  [[nodiscard]] effects::TestContext context() const {
+    effects::TestContext context;
+    context.bundle = &bundle;
+    context.deck = &deck;
+    context.mass_kg = builder.mass_kg();
+    context.low_hz = frame_band_hz[0];
+    context.high_hz = frame_band_hz[1];
+    context.component = 3;
+    return context;
   }
 };
 

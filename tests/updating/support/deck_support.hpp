@@ -85,8 +85,8 @@ inline Bar make_bar(int id, int property, int a, int b) {
 }
 
 /// Holds components of every grid for which `where` is true.
-template <typename Where>
-void hold(Deck& deck, const std::string& components, const Where& where) {
+template <typename Location>
+void hold(Deck& deck, const std::string& components, const Location& where) {
   for (const Grid& grid : deck.grids) {
     if (where(grid.position)) {
       deck.constraints.push_back({grid.id, components});

@@ -105,7 +105,7 @@ MatrixXcd direct_frfs(const structure::Deck& deck,
 
 ModelState undamped_state(const Fitter& fitter,
                           const FrfModel& model,
-                          const std::vector<PlacedEffect>& effects) {
+                          const std::vector<EffectInstance>& effects) {
   ModelState state = fitter.first_state(model, effects);
   state.zeta.setConstant(1e-12);
   state.zeta_other = 1e-12;

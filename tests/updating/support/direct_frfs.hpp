@@ -34,7 +34,7 @@ using PointTerm = std::tuple<int, int, std::complex<double>>;
 [[nodiscard]] ModelState undamped_state(
     const Fitter& fitter,
     const FrfModel& model,
-    const std::vector<PlacedEffect>& effects);
+    const std::vector<EffectInstance>& effects);
 
 /// Largest relative difference between analytic derivatives and central
 /// differences.

@@ -18,14 +18,14 @@ namespace tapfit::updating {
 /// 2 %, its damping scattered about 0.8 %, and noise on every line.
 class PlateExperiment : private support::BasedPlate {
  public:
-  PlateExperiment(const std::vector<PlacedEffect>& hidden,
+  PlateExperiment(const std::vector<EffectInstance>& hidden,
                   double noise,
                   unsigned seed,
                   double identified_damping = 0.008,
                   bool clamped = true)
       : BasedPlate(clamped) {
-    FitSetting fit;
-    fit.setting = setting_;
+    FitProblem fit;
+    fit.context = context_;
     fit.uncertain_sd = {0.03};
     fit.damping_ratio = 0.008;
     std::mt19937 random(seed);

@@ -24,28 +24,28 @@ class PlateModel : public ::testing::Test, protected support::BasedPlate {
   PlateModel()
       : s_(damped_line({10.0, 400.0}, 2.0, {0.05, 40})),
         pairs_(support::plate_pairs(bundle_, s_)) {
-    FitSetting fit;
-    fit.setting = setting_;
+    FitProblem fit;
+    fit.context = context_;
     fit.measured = pairs_;
     fit.targets = {make_target(pairs_)};
     fit.uncertain_sd = {0.03};
     fitter_.emplace(builder_, fit);
   }
 
-  PlacedEffect at_node(const std::string& name, int node, double p) const {
-    Where where;
+  EffectInstance at_node(const std::string& name, int node, double p) const {
+    Location where;
     where.node = node;
     return {&effects::find(name), where, {p}};
   }
-  PlacedEffect sensors(double m1, double m2) const {
-    Where where;
+  EffectInstance sensors(double m1, double m2) const {
+    Location where;
     where.channels = {"acc1", "acc2"};
     where.variant = "each";
     return {&effects::find("sensor-mass"), where, {m1, m2}};
   }
-  PlacedEffect clamp(double k) const {
+  EffectInstance clamp(double k) const {
     const effects::Effect& effect = effects::find("soft-support");
-    for (const Where& where : effect.places(setting_)) {
+    for (const Location& where : effect.places(context_)) {
       if (where.variant == "rotation") return {&effect, where, {k}};
     }
     throw std::logic_error("no clamp");

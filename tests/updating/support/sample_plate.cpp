@@ -65,16 +65,16 @@ acquisition::TestBundle plate_bundle() {
   return bundle;
 }
 
-effects::Setting plate_setting(const acquisition::TestBundle& bundle,
-                               const structure::Deck& deck) {
-  effects::Setting setting;
-  setting.bundle = &bundle;
-  setting.deck = &deck;
-  setting.mass_kg = 0.2916;  // 0.30 * 0.12 * 0.003 * 2700
-  setting.low_hz = 10.0;
-  setting.high_hz = 400.0;
-  setting.component = 3;
-  return setting;
+effects::TestContext plate_context(const acquisition::TestBundle& bundle,
+                                   const structure::Deck& deck) {
+  effects::TestContext context;
+  context.bundle = &bundle;
+  context.deck = &deck;
+  context.mass_kg = 0.2916;  // 0.30 * 0.12 * 0.003 * 2700
+  context.low_hz = 10.0;
+  context.high_hz = 400.0;
+  context.component = 3;
+  return context;
 }
 
 updating::BaseOptions plate_base(const acquisition::TestBundle& bundle,

@@ -17,7 +17,7 @@ namespace tapfit::support {
 /// Two accelerometers at grids 11 and 36, six hit points, one run each.
 [[nodiscard]] acquisition::TestBundle plate_bundle();
 
-[[nodiscard]] effects::Setting plate_setting(
+[[nodiscard]] effects::TestContext plate_context(
     const acquisition::TestBundle& bundle, const structure::Deck& deck);
 
 /// A base of the plate's own mesh to 400 Hz, at the points of the bundle.
@@ -43,7 +43,7 @@ class BasedPlate {
 
   structure::Deck deck_;
   acquisition::TestBundle bundle_ = plate_bundle();
-  effects::Setting setting_ = plate_setting(bundle_, deck_);
+  effects::TestContext context_ = plate_context(bundle_, deck_);
   updating::BaseBuilder builder_{
       deck_, bundle_.uncertain, plate_base(bundle_, deck_), Progress{}};
 };

@@ -1,0 +1,147 @@
+#include "updating/diagnosis/candidate_ranking.hpp"
+
+#include "updating/diagnosis/made_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace tapfit::updating {
+
+const double log_odds_told_apart = std::log(20.0);
+
+namespace {
+
+// Whether two explanations say the same of all that was measured. Their
+// evidence may still differ by the number of places that were looked at.
+bool predict_alike(const Hypothesis& a, const Hypothesis& b) {
+  constexpr double same = 0.1;
+  const Eigen::VectorXd& ra = a.fit.result.residual;
+  const Eigen::VectorXd& rb = b.fit.result.residual;
+  return ra.size() == rb.size() && ra.size() > 0 &&
+         (ra - rb).norm() <= same * std::min(ra.norm(), rb.norm());
+}
+
+// A law with more parameters may contain the simpler one.
+bool is_rival(const Hypothesis& other, const Hypothesis& of) {
+  const double apart = std::abs(other.log_evidence - of.log_evidence);
+  return apart <= log_odds_told_apart ||
+         (other.own().p.size() <= of.own().p.size() &&
+          predict_alike(other, of));
+}
+
+// Kinds besides the one in question. What is weaker than these can hardly come
+// first when a prior is changed by a factor of two.
+constexpr std::size_t other_kinds = 3;
+
+using KindProbability = std::map<const effects::Effect*, double>;
+
+MadeFit contender(const CandidateRanking& round,
+                  std::size_t of,
+                  const KindProbability& whole) {
+  const Hypothesis& h = round.hypotheses[of];
+  MadeFit made = as_made(h.fit);
+  made.places = h.places;
+  const double own = round.probability[of + 1];
+  if (own > 0.0) made.kind_share = whole.at(h.own().effect) / own;
+  return made;
+}
+
+}  // namespace
+
+// A kind is as probable as all its places together. A law with more parameters
+// at the same place contains the simpler one and is no rival of it unless its
+// evidence is better.
+std::string group_name(const CandidateRanking& round, std::size_t of) {
+  struct Kind {
+    std::string name;
+    double probability = 0.0;
+    bool alike = false;  // one of its places says the same
+  };
+  const Hypothesis& own = round.hypotheses[of];
+  std::vector<Kind> kinds{{own.own().effect->name()}};
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    const bool contains = h.own().where == own.own().where &&
+                          h.own().p.size() > own.own().p.size();
+    if (contains) continue;
+    const std::string name = h.own().effect->name();
+    auto it = std::ranges::find(kinds, name, &Kind::name);
+    if (it == kinds.end()) it = kinds.insert(kinds.end(), {name});
+    it->probability += round.probability[k + 1];
+    it->alike =
+        it->alike || (k != of && h.own().p.size() <= own.own().p.size() &&
+                      predict_alike(h, own));
+  }
+  const double least =
+      kinds.front().probability * std::exp(-log_odds_told_apart);
+  std::erase_if(kinds, [&](const Kind& kind) {
+    return &kind != &kinds.front() && !kind.alike && kind.probability <= least;
+  });
+  std::stable_sort(
+      kinds.begin() + 1, kinds.end(), [](const Kind& a, const Kind& b) {
+        return a.probability > b.probability;
+      });
+  std::string group = kinds.front().name;
+  for (std::size_t k = 1; k < std::min<std::size_t>(kinds.size(), 3); ++k) {
+    group += "|" + kinds[k].name;
+  }
+  return group;
+}
+
+std::vector<EffectRef> indistinguishable(const CandidateRanking& round,
+                                         std::size_t of) {
+  std::vector<EffectRef> alike;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& other = round.hypotheses[k];
+    if (k == of || !is_rival(other, round.hypotheses[of])) continue;
+    alike.push_back({other.own().effect->name(), other.own().where});
+  }
+  return alike;
+}
+
+std::vector<double> place_sd(const CandidateRanking& round, std::size_t of) {
+  const Hypothesis& own = round.hypotheses[of];
+  std::vector<double> sd = own.place_sd;
+  if (!is_at_grid(own.own().where)) return sd;
+  sd.resize(own.own().p.size());
+  std::vector<double> square(sd.size());
+  double weight = 0.0;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const EffectInstance& other = round.hypotheses[k].own();
+    if (other.effect != own.own().effect ||
+        other.where.variant != own.own().where.variant) {
+      continue;
+    }
+    const double w = round.probability[k + 1];
+    weight += w;
+    for (std::size_t j = 0; j < sd.size(); ++j) {
+      square[j] += w * std::pow(std::log(other.p[j] / own.own().p[j]), 2);
+    }
+  }
+  for (std::size_t j = 0; j < sd.size(); ++j) {
+    sd[j] = std::max(sd[j], std::sqrt(square[j] / std::max(weight, 1e-300)));
+  }
+  return sd;
+}
+
+std::vector<MadeFit> strongest_of(const CandidateRanking& round,
+                                  std::size_t first) {
+  KindProbability whole;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    whole[round.hypotheses[k].own().effect] += round.probability[k + 1];
+  }
+  std::vector<MadeFit> result{contender(round, first, whole)};
+  std::vector<const effects::Effect*> seen{
+      round.hypotheses[first].own().effect};
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    if (seen.size() > other_kinds) break;
+    const effects::Effect* kind = round.hypotheses[k].own().effect;
+    if (std::ranges::find(seen, kind) != seen.end()) continue;
+    seen.push_back(kind);
+    result.push_back(contender(round, k, whole));
+  }
+  return result;
+}
+
+}  // namespace tapfit::updating

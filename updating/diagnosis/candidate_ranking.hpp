@@ -1,0 +1,49 @@
+// What was found on one rung: hypotheses beside each other, and which of them
+// are not told apart.
+#pragma once
+
+#include "updating/diagnosis/rivals.hpp"
+#include "updating/effects/effect_ref.hpp"
+#include "updating/search/hypotheses.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace tapfit::updating {
+
+struct CandidateRanking {
+  std::vector<Hypothesis> hypotheses;  ///< strongest evidence first
+  std::vector<double> probability;     ///< of none, then of each hypothesis
+  double none_evidence = 0.0;
+  double data = 1.0;  ///< independent data that the evidence counts
+};
+
+/// Explanations closer than this in log evidence are not told apart: 20 : 1,
+/// where "positive" evidence ends on Kass and Raftery's scale.
+extern const double log_odds_told_apart;
+
+/// Its kind and those that are not told apart from it, joined with "|"; at most
+/// three.
+[[nodiscard]] std::string group_name(const CandidateRanking& round,
+                                     std::size_t of);
+
+/// The other hypotheses that are not told apart from one: their evidence is, or
+/// they say the same of all that was measured with no more parameters.
+[[nodiscard]] std::vector<EffectRef> indistinguishable(
+    const CandidateRanking& round, std::size_t of);
+
+/// What is not known of a place widens what is said of the size: around it, as
+/// it was settled, and over all grids that were fitted, as probable as they
+/// are.
+/// @return of the logarithm of each parameter
+[[nodiscard]] std::vector<double> place_sd(const CandidateRanking& round,
+                                           std::size_t of);
+
+/// One hypothesis of the round, then the best of each other kind, the strongest
+/// first; few.
+/// @param first its place in the round, which is not empty
+[[nodiscard]] std::vector<MadeFit> strongest_of(const CandidateRanking& round,
+                                                std::size_t first);
+
+}  // namespace tapfit::updating

@@ -1,0 +1,319 @@
+#include "updating/diagnosis/forward_selection.hpp"
+
+#include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/candidate.hpp"
+#include "updating/diagnosis/evidence.hpp"
+#include "updating/diagnosis/settle_place.hpp"
+#include "updating/diagnosis/worth.hpp"
+#include "updating/effects/effect_instance.hpp"
+#include "updating/fit/overall_progress.hpp"
+#include "updating/residual/independent_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace tapfit::updating {
+
+namespace {
+
+// First rungs from which a second one is tried.
+constexpr int kinds_tried_first = 4;
+// A screened error beyond this times the least is not worth a full fit once
+// the list is no longer for show: the screening is good to a few tens of
+// percent.
+constexpr double promising = 2.0;
+// Of those that the screening puts first, in the end.
+constexpr int many_joints = 80;
+// An effect found again, or a weaker one put first, must be this much better
+// to take the place.
+constexpr double better = 0.98;
+
+// Of the kind of one the one that leaves least, with as many parameters: what a
+// second effect would explain looks like an error of form to the evidence,
+// which then tells little between places.
+std::size_t least_of_kind(const CandidateRanking& round, std::size_t of) {
+  const Hypothesis& first = round.hypotheses[of];
+  std::size_t least = of;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    const bool alike = h.own().effect == first.own().effect &&
+                       h.own().p.size() == first.own().p.size();
+    const double error = round.hypotheses[least].fit.result.error;
+    if (alike && h.fit.result.error < error) least = k;
+  }
+  return least;
+}
+
+std::vector<EffectInstance> without(const Fit& fit, std::size_t k) {
+  std::vector<EffectInstance> rest = fit.effects;
+  rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
+  return rest;
+}
+
+// Two motions of one support as one effect, with the sizes they have.
+std::optional<EffectInstance> both_of(const EffectInstance& one,
+                                      const EffectInstance& other,
+                                      const effects::TestContext& context) {
+  const effects::Effect& effect = *one.effect;
+  const bool support = effect.changes_stiffness() == ChangeKind::Support &&
+                       one.effect == other.effect &&
+                       one.where.nodes == other.where.nodes;
+  Location where = one.where;
+  where.variant = "both";
+  if (!support || !effect.takes(where.variant, one.where, context)) {
+    return std::nullopt;
+  }
+  EffectInstance whole = placed(effect, where, context);
+  std::map<std::string, double> sizes;
+  for (const EffectInstance* part : {&one, &other}) {
+    const auto specs = effect.parameters(part->where, context);
+    for (std::size_t k = 0; k < specs.size(); ++k) {
+      sizes[specs[k].name] = part->p[k];
+    }
+  }
+  const auto specs = effect.parameters(where, context);
+  for (std::size_t k = 0; k < specs.size(); ++k) {
+    const auto known = sizes.find(specs[k].name);
+    if (known != sizes.end()) whole.p[k] = known->second;
+  }
+  return whole;
+}
+
+}  // namespace
+
+ForwardSelection::ForwardSelection(const Fitter& fitter,
+                                   const DiagnoseOptions& options)
+    : fitter_(&fitter), options_(options) {}
+
+SelectedEffect ForwardSelection::as_selected(const CandidateRanking& round,
+                                             std::size_t of) const {
+  return {group_name(round, of),
+          round.probability[of + 1],
+          indistinguishable(round, of),
+          patch_extent(round.hypotheses,
+                       round.hypotheses[of].own(),
+                       options_.floor,
+                       fitter_->problem().context),
+          place_sd(round, of),
+          strongest_of(round, of)};
+}
+
+// How sure an effect is among all that was tried with it, none included; as
+// sure as before where the round passed over it.
+void ForwardSelection::judge_anew(const CandidateRanking& round,
+                                  const EffectInstance& effect,
+                                  SelectedEffect& it) const {
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const EffectInstance& own = round.hypotheses[k].own();
+    if (own.effect != effect.effect || own.where != effect.where) continue;
+    it = as_selected(round, k);
+    return;
+  }
+}
+
+Fit ForwardSelection::refit(const std::vector<EffectInstance>& effects,
+                            const Progress& progress) const {
+  return fitter_->fit(effects, fitter_->model_for(effects), progress);
+}
+
+// The same fit with one of its effects as the last.
+Fit ForwardSelection::with_last(const Fit& fit,
+                                std::size_t k,
+                                const Progress& progress) const {
+  Fit turned = fit;
+  std::vector<EffectInstance>& effects = turned.result.state.effects;
+  const auto own = effects.begin() + static_cast<std::ptrdiff_t>(k);
+  std::rotate(own, own + 1, effects.end());
+  turned.effects = effects;
+  return fitter_->fit_beside(
+      turned, effects, fitter_->model_for(effects), progress);
+}
+
+// The evidence of all, the strongest first.
+void ForwardSelection::judge(CandidateRanking& round) const {
+  for (Hypothesis& h : round.hypotheses) {
+    h.log_evidence = log_evidence(h.fit,
+                                  static_cast<double>(h.own().p.size()),
+                                  h.places,
+                                  round.data,
+                                  options_.floor_noise);
+  }
+  std::stable_sort(round.hypotheses.begin(),
+                   round.hypotheses.end(),
+                   [](const Hypothesis& a, const Hypothesis& b) {
+                     return a.log_evidence > b.log_evidence;
+                   });
+}
+
+// Between grids the likeliest of each kind goes on where it may be the answer.
+void ForwardSelection::settle_places(const Fit& current,
+                                     CandidateRanking& round,
+                                     const Progress& progress) const {
+  // Of log evidence: what a place may gain that is half a spacing off.
+  constexpr double contender = 30.0;
+  std::vector<Hypothesis>& all = round.hypotheses;
+  if (all.empty()) return;
+  const double strongest = all.front().log_evidence;
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0, count = all.size(); k < count; ++k) {
+    if (all[k].log_evidence < strongest - contender) break;
+    const bool first = kinds.insert(all[k].own().effect).second;
+    if (!first || !is_at_grid(all[k].own().where)) continue;
+    // Places beside each other are told apart by what is left at them.
+    const double data =
+        independent_data(fitter_->target(), all[k].fit.result.residual);
+    Hypothesis settled = settle_place(
+        all[k], current, *fitter_, {data, options_.floor_noise}, progress);
+    if (settled.own().where == all[k].own().where) {
+      all[k] = std::move(settled);
+    } else {
+      all.push_back(std::move(settled));
+    }
+  }
+}
+
+CandidateRanking ForwardSelection::look(const Fit& current,
+                                        Depth depth,
+                                        const Progress& progress,
+                                        const Fit* known) const {
+  const bool thorough = depth >= Depth::Thorough;
+  HypothesisOptions options;
+  options.places_per_kind = thorough ? options_.places_per_kind : 1;
+  options.neighbours = depth == Depth::Quick ? 0 : options_.neighbours;
+  options.promising = thorough ? 1e300 : promising;
+  options.explained = explained_error({options_.floor, options_.floor_noise});
+  if (depth == Depth::LastResort) options.joints = many_joints;
+  options.known = known;
+  if (depth == Depth::Thorough && options_.tried) {
+    options.tried = [this](const Fit& fit) {
+      options_.tried(candidate_of(fit, fitter_->problem().context));
+    };
+  }
+  CandidateRanking round;
+  round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
+  // What there is to tell by is what is left so far.
+  round.data = independent_data(fitter_->target(), current.result.residual);
+  judge(round);
+  if (options.neighbours > 0) {
+    settle_places(current, round, progress);
+    judge(round);
+  }
+  round.none_evidence =
+      log_evidence(current, 0.0, 1.0, round.data, options_.floor_noise);
+  std::vector<double> evidence = {round.none_evidence};
+  for (const Hypothesis& h : round.hypotheses) {
+    evidence.push_back(h.log_evidence);
+  }
+  round.probability = probabilities(evidence);
+  return round;
+}
+
+ForwardSelection::Pair ForwardSelection::best_pair(
+    const Fit& current,
+    const CandidateRanking& round,
+    const Progress& progress) const {
+  Pair pair;
+  double least = 1e300;
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
+    // Nothing by itself: with another it is what the other is alone.
+    const bool tells = round.hypotheses[k].log_evidence > round.none_evidence;
+    if (!tells && !kinds.empty()) break;
+    if (!kinds.insert(round.hypotheses[k].own().effect).second) continue;
+    const std::size_t first = least_of_kind(round, k);
+    const Hypothesis& h = round.hypotheses[first];
+    const auto tried = static_cast<double>(kinds.size());
+    CandidateRanking next = look(h.fit,
+                                 Depth::Quick,
+                                 part_of(progress,
+                                         (tried - 1.0) / kinds_tried_first,
+                                         tried / kinds_tried_first));
+    if (next.hypotheses.empty()) continue;
+    const Hypothesis& second = next.hypotheses.front();
+    // The same two in the other order end at the same error, but for rounding.
+    if (second.fit.result.error >= better * least) continue;
+    least = second.fit.result.error;
+    const auto own =
+        static_cast<double>(h.own().p.size() + second.own().p.size());
+    pair.first = first;
+    const double noise = options_.floor_noise;
+    pair.gain =
+        log_evidence(
+            second.fit, own, h.places * second.places, next.data, noise) -
+        log_evidence(current, 0.0, 1.0, next.data, noise);
+    pair.next = std::move(next);
+  }
+  return pair;
+}
+
+Fit ForwardSelection::relocate(Fit fit,
+                               std::size_t already,
+                               std::vector<SelectedEffect>& chosen,
+                               const Progress& progress) const {
+  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    const Fit known = with_last(fit, k, progress);
+    const CandidateRanking round =
+        look(refit(without(fit, k), progress), Depth::Nearby, progress, &known);
+    if (round.hypotheses.empty()) continue;
+    const Hypothesis& best = round.hypotheses.front();
+    // Masses of their own, where one for all sensors does as well.
+    const bool simpler = best.own().effect == fit.effects[k].effect &&
+                         best.own().p.size() < fit.effects[k].p.size();
+    if (!simpler && best.fit.result.error >= better * fit.result.error) {
+      // Now that the others are known, so is how sure this one is.
+      judge_anew(round, fit.effects[k], chosen[k - already]);
+      continue;
+    }
+    fit = best.fit;
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    chosen.push_back(as_selected(round, 0));
+  }
+  return fit;
+}
+
+Fit ForwardSelection::unite(Fit fit,
+                            std::size_t already,
+                            std::vector<SelectedEffect>& chosen,
+                            const Progress& progress) const {
+  for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    std::optional<EffectInstance> whole =
+        both_of(fit.effects[k], fit.effects.back(), fitter_->problem().context);
+    if (!whole) continue;
+    std::vector<EffectInstance> effects = without(fit, k);
+    effects.back() = *std::move(whole);
+    Fit united = refit(effects, progress);
+    if (better * united.result.error > fit.result.error) continue;
+    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    return united;
+  }
+  return fit;
+}
+
+Fit ForwardSelection::prune(Fit fit,
+                            std::size_t already,
+                            double data,
+                            std::vector<SelectedEffect>& chosen,
+                            const Progress& progress) const {
+  for (std::size_t k = already;
+       k < fit.effects.size() && fit.effects.size() > already + 1;) {
+    Fit rest = refit(without(fit, k), progress);
+    const double own = static_cast<double>(fit.effects[k].p.size());
+    const double noise = options_.floor_noise;
+    const double gain = log_evidence(fit, own, 1.0, data, noise) -
+                        log_evidence(rest, 0.0, 1.0, data, noise);
+    const Floor floor = floor_of(rest, fitter_->target(), options_);
+    if (is_superfluous(gain, fit.result.error, rest.result.error, floor)) {
+      fit = std::move(rest);
+      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+    } else {
+      ++k;
+    }
+  }
+  return fit;
+}
+
+}  // namespace tapfit::updating
