@@ -1,7 +1,6 @@
 #include "signal/files/uff58.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "acquisition/uff/uff_function.hpp"
 #include "tests/signal/support/some_frfs.hpp"
 #include "tests/support/matchers.hpp"
 
@@ -10,19 +9,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <numbers>
 #include <sstream>
 
 namespace tapfit::signal {
 namespace {
-
-using acquisition::read_function;
-using acquisition::split_uff;
-using acquisition::UffDataset;
-using acquisition::UffFunction;
 
 using testing::some_set;
 using testing::written;
@@ -364,50 +355,6 @@ TEST(Uff58, RefusesWhatIsBrokenWithItsPlace) {
   // Found by mutation: the header ends with the file, no byte announced.
   refuse("    -1\n    58b     1     2           1           0\nFRF", "no FRF");
   EXPECT_THROW((void)read_frfs_uff("/nowhere/at-all.uff"), InputError);
-}
-
-TEST(Uff58, OthersFilesAreReadOrRefusedWithAReason) {
-  const std::filesystem::path folder =
-      TAPFIT_SOURCE_DIR "/../shared/data/uff-samples";
-  if (!std::filesystem::is_directory(folder))
-    GTEST_SKIP() << "no sample files at " << folder;
-  int functions = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    if (entry.path().extension() != ".uff") continue;
-    std::ifstream in(entry.path(), std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in),
-                           std::istreambuf_iterator<char>()};
-    for (const UffDataset& set : split_uff(text, entry.path().filename())) {
-      EXPECT_GT(set.type, 0) << set.place;
-      if (set.type != 58) continue;
-      const UffFunction function = read_function(set);
-      EXPECT_GT(function.y.size(), 0) << set.place;
-      EXPECT_TRUE(function.y.allFinite()) << set.place;
-      ++functions;
-    }
-    // None of them holds FRFs.
-    EXPECT_THROW((void)read_frfs_uff(entry.path()), InputError) << entry;
-  }
-  EXPECT_EQ(functions, 9);
-}
-
-TEST(Uff58, BinaryAndAsciiSampleAgree) {
-  const std::filesystem::path folder =
-      TAPFIT_SOURCE_DIR "/../shared/data/uff-samples";
-  if (!std::filesystem::is_directory(folder))
-    GTEST_SKIP() << "no sample files at " << folder;
-  std::vector<UffFunction> functions;
-  for (const char* file : {"Sample_UFF58_ascii.uff", "Sample_UFF58b_bin.uff"}) {
-    std::ifstream in(folder / file, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(in),
-                           std::istreambuf_iterator<char>()};
-    functions.push_back(read_function(split_uff(text, file).at(0)));
-  }
-  ASSERT_EQ(functions[0].y.size(), 79292);
-  ASSERT_EQ(functions[1].y.size(), 79292);
-  // Six digits in the ASCII file.
-  EXPECT_LT((functions[0].y - functions[1].y).cwiseAbs().maxCoeff(),
-            1e-5 * functions[1].y.cwiseAbs().maxCoeff());
 }
 
 }  // namespace

@@ -185,34 +185,10 @@ TEST(Program, ScrollsTheMacs) {
             played("7\nwait\nll", {80, 50, false}));
 }
 
-TEST(Program, OverrulesAHit) {
-  EXPECT_TRUE(holds(played("wait"), "3 hits, 2 accepted"));
-  const std::string text = played("wait\nj \nwait");
-  EXPECT_TRUE(holds(text, "3 hits, 3 accepted")) << text;
-  EXPECT_TRUE(holds(text, "#2 accepted manually (auto: double)")) << text;
-}
-
-TEST(Program, TakesTheLastOverrulingBack) {
-  const std::string text = played("wait\nj \nwait\nk \nwait\nu\nwait");
-  EXPECT_TRUE(holds(text, "3 hits, 3 accepted")) << text;
-  EXPECT_TRUE(holds(text, "run 1, hit 1: back to automatic")) << text;
-  const std::string all = played("wait\nj \nwait\nk \nwait\nuu\nwait");
-  EXPECT_TRUE(holds(all, "3 hits, 2 accepted")) << all;
-  EXPECT_FALSE(holds(all, "manually")) << all;
-  EXPECT_TRUE(holds(played("wait\nu\nwait"), "nothing to undo"));
-}
-
 TEST(Program, ClearsWhatWasToldAtTheNextKey) {
   EXPECT_TRUE(holds(played("6\nwait\nu\nwait"), "nothing to undo"));
   EXPECT_FALSE(holds(played("6\nwait\nu\nwait\nj"), "nothing to undo"));
   EXPECT_FALSE(holds(played("6\nwait\nu\nwait\n2"), "nothing to undo"));
-}
-
-TEST(Program, RedoesAHitThatWasTakenBack) {
-  const std::string text = played("wait\nj \nwait\nu\nwait\n<C-r>\nwait");
-  EXPECT_TRUE(holds(text, "hit 2: overruled again")) << text;
-  EXPECT_TRUE(holds(played("wait\nj \nwait\nu\nwait\n<C-r>\nwait\n<C-r>\nwait"),
-                    "nothing to redo"));
 }
 
 TEST(Program, ActsOnNothingThatAFilterHides) {
