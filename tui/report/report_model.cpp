@@ -5,14 +5,14 @@
 #include "tui/report/report_criteria.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
+#include "tui/widgets/signature_plot.hpp"
+#include "updating/localisation/signature_laws.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace tapfit::tui {
@@ -169,52 +169,6 @@ Section error_section(const ReportData& data) {
   return {"Where the error is", {row}};
 }
 
-struct Law {
-  const char* words;
-  double unexplained;
-  std::string size;
-  Eigen::VectorXd curve;
-  bool imaginary = false;
-};
-
-/// The part that a law without damping has.
-Law absorber_law(const updating::Signature& s) {
-  const Eigen::VectorXcd jw =
-      std::complex<double>(0.0, 2.0 * std::numbers::pi) *
-      s.frequency_hz.cast<std::complex<double>>();
-  const updating::AbsorberLaw& absorber = s.absorber;
-  return {
-      "an absorber",
-      absorber.unexplained,
-      fmt::format("{} at {} Hz",
-                  value_words({"mass_kg", absorber.mass_kg}, absorber.mass_kg),
-                  number(absorber.frequency_hz)),
-      updating::absorber_stiffness(absorber, jw).real()};
-}
-
-/// The one that leaves least; an absorber, which has three parameters, only
-/// where one was found.
-Law best_law(const updating::Signature& s, bool resonant) {
-  if (resonant && s.absorber.mass_kg > 0.0) return absorber_law(s);
-  const Eigen::ArrayXd w = 2.0 * std::numbers::pi * s.frequency_hz.array();
-  std::vector<Law> laws{
-      {"a pure mass",
-       s.mass_unexplained,
-       value_words({"mass_kg", s.mass_kg}, s.mass_kg),
-       (-s.mass_kg * w.square()).matrix()},
-      {"a pure spring",
-       s.spring_unexplained,
-       value_words({"stiffness_n_per_m", s.spring_n_per_m}, s.spring_n_per_m),
-       Eigen::VectorXd::Constant(w.size(), s.spring_n_per_m)},
-      {"a pure damper",
-       s.dashpot_unexplained,
-       value_words({"damping_ns_per_m", s.dashpot_ns_per_m},
-                   s.dashpot_ns_per_m),
-       (s.dashpot_ns_per_m * w).matrix(),
-       true}};
-  return *std::ranges::min_element(laws, {}, &Law::unexplained);
-}
-
 bool found_absorber(const ModelResults& model, int node) {
   return std::ranges::any_of(model.ladder, [node](const updating::Rung& rung) {
     return rung.added == "absorber" && rung.where.node == node;
@@ -228,22 +182,8 @@ bool means_something(const std::optional<updating::Signature>& signature) {
          signature->z.size() == signature->frequency_hz.size();
 }
 
-/// Scattered values at the ends of the band do not set the scale; what is
-/// beyond it is a gap.
-void hold_range(Plot& plot) {
-  std::vector<double> values;
-  for (const Curve& curve : plot.curves) {
-    for (const double y : curve.y) {
-      if (std::isfinite(y)) values.push_back(y);
-    }
-  }
-  if (values.size() < 20) return;
-  std::ranges::sort(values);
-  const double low = values[values.size() / 20];
-  const double high = values[values.size() - 1 - values.size() / 20];
-  if (!(low < high)) return;
-  plot.y.lo = low - 0.25 * (high - low);
-  plot.y.hi = high + 0.25 * (high - low);
+/// What is beyond the range is a gap.
+void leave_gaps(Plot& plot) {
   for (Curve& curve : plot.curves) {
     for (double& y : curve.y) {
       if (y < plot.y.lo || y > plot.y.hi) {
@@ -255,22 +195,18 @@ void hold_range(Plot& plot) {
 
 Section signature_section(const ModelResults& model) {
   const updating::Signature& signature = *model.signature;
-  const Law law = best_law(signature, found_absorber(model, signature.node));
-  Plot plot;
+  const bool resonant = found_absorber(model, signature.node);
+  const updating::SignatureLaw law = updating::best_law(signature, resonant);
+  Plot plot = signature_plot(signature, {}, false, resonant);
   plot.title = fmt::format("missing stiffness at grid {}", signature.node);
-  plot.x = {"frequency", "Hz", 0.0, 0.0, false};
-  plot.y = {"missing stiffness", "N/m", 0.0, 0.0, false};
-  const auto add = [&](const std::string& label,
-                       const Eigen::VectorXd& values,
-                       const Pen& pen) {
-    plot.curves.push_back({label, signature.frequency_hz, values, {}, {}, pen});
-  };
-  add("real part", signature.z.real(), {Colour::Blue});
-  add("imaginary part", signature.z.imag(), {Colour::Purple, Pattern::Dotted});
-  add(law.imaginary ? fmt::format("{} (imaginary)", law.words) : law.words,
-      law.curve,
-      {Colour::Orange, Pattern::Dashed});
-  hold_range(plot);
+  plot.x.label = "frequency";
+  plot.y.label = "missing stiffness";
+  plot.curves[0].label = "real part";
+  plot.curves[0].pen = {Colour::Blue};
+  plot.curves[1].label = "imaginary part";
+  plot.curves[2].label =
+      law_name(law) + (law.is_imaginary() ? " (imaginary)" : "");
+  if (plot.y.lo < plot.y.hi) leave_gaps(plot);
   return {
       "The missing stiffness",
       {Figure{
@@ -279,12 +215,12 @@ Section signature_section(const ModelResults& model) {
               "Dynamic stiffness that the base model lacks at grid {0}. "
               "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
               "{4} of it. A mass falls with frequency squared, a spring is "
-              "constant, a damper is imaginary and rises, an absorber changes "
+              "constant, a dashpot is imaginary and rises, an absorber changes "
               "its sign at its own frequency.",
               signature.node,
               percent(signature.explained),
-              law.words,
-              law.size,
+              law_name(law),
+              law_size(law, signature),
               percent(law.unexplained)),
           svg_plot(plot, {.height = 300.0})}}};
 }

@@ -237,4 +237,17 @@ std::string capitalised(std::string text) {
   return text;
 }
 
+std::string law_name(const updating::SignatureLaw& law) {
+  if (law.effect == "mass") return "a pure mass";
+  return (law.effect == "absorber" ? "an " : "a ") + law.effect;
+}
+
+std::string law_size(const updating::SignatureLaw& law,
+                     const updating::Signature& signature) {
+  const std::string size = value_words({law.parameter, law.size}, law.size);
+  if (law.effect != "absorber") return size;
+  return fmt::format(
+      "{} at {} Hz", size, number(signature.absorber.frequency_hz));
+}
+
 }  // namespace tapfit::tui

@@ -5,6 +5,7 @@
 #include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/estimate.hpp"
+#include "updating/localisation/signature_laws.hpp"
 #include "updating/places/location.hpp"
 
 #include <string>
@@ -64,5 +65,12 @@ struct Quantity {
 /// Texts of other rooms as they are printed: ± and … in one character, m/s²
 /// with its power.
 [[nodiscard]] std::string typeset(std::string text);
+
+/// "a pure mass", "a spring", "a dashpot", "an absorber".
+[[nodiscard]] std::string law_name(const updating::SignatureLaw& law);
+
+/// "80.1 g"; of an absorber with its frequency.
+[[nodiscard]] std::string law_size(const updating::SignatureLaw& law,
+                                   const updating::Signature& signature);
 
 }  // namespace tapfit::tui

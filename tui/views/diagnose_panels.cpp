@@ -11,6 +11,7 @@
 #include "tui/widgets/signature_plot.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/localisation/signature.hpp"
+#include "updating/localisation/signature_laws.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -27,33 +28,10 @@ using updating::Signature;
 
 std::string whole_percent(double share) { return fixed(100.0 * share, 0); }
 
-struct LawWords {
-  std::string name;
-  std::string size;
-  double left = 1.0;  ///< of the misfit
-};
-
 /// What each law leaves of z, the one that leaves least first.
-std::vector<LawWords> laws_of(const Signature& s) {
-  const auto size = [](const char* name, double value) {
-    return value_words({name, value}, value);
-  };
-  std::vector<LawWords> laws{
-      {"a pure mass", size("mass_kg", s.mass_kg), s.mass_unexplained},
-      {"a spring",
-       size("stiffness_n_per_m", s.spring_n_per_m),
-       s.spring_unexplained},
-      {"a dashpot",
-       size("damping_ns_per_m", s.dashpot_ns_per_m),
-       s.dashpot_unexplained}};
-  if (s.absorber.mass_kg > 0.0) {
-    laws.push_back({"an absorber",
-                    fmt::format("{} at {} Hz",
-                                size("mass_kg", s.absorber.mass_kg),
-                                number(s.absorber.frequency_hz, 4)),
-                    s.absorber.unexplained});
-  }
-  std::ranges::stable_sort(laws, {}, &LawWords::left);
+std::vector<updating::SignatureLaw> laws_of(const Signature& s) {
+  std::vector<updating::SignatureLaw> laws = updating::signature_laws(s);
+  std::ranges::stable_sort(laws, {}, &updating::SignatureLaw::unexplained);
   return laws;
 }
 
@@ -61,14 +39,15 @@ std::vector<LawWords> laws_of(const Signature& s) {
 std::vector<std::string> law_lines(const Signature& s, int width) {
   const auto told = [&s](std::size_t sizes) {
     std::string words;
-    for (const LawWords& law : laws_of(s)) {
+    for (const updating::SignatureLaw& law : laws_of(s)) {
       words += words.empty() ? "" : ", ";
-      words += law.name;
-      if (sizes > 0) words += fmt::format(" ({})", law.size);
+      words += law_name(law);
+      if (sizes > 0) words += fmt::format(" ({})", law_size(law, s));
       sizes -= sizes > 0 ? 1 : 0;
       words += words.find(" leaves ") == std::string::npos
-                   ? fmt::format(" leaves {} % of it", whole_percent(law.left))
-                   : fmt::format(" {} %", whole_percent(law.left));
+                   ? fmt::format(" leaves {} % of it",
+                                 whole_percent(law.unexplained))
+                   : fmt::format(" {} %", whole_percent(law.unexplained));
     }
     return words;
   };

@@ -1,43 +1,26 @@
 #include "tui/widgets/signature_plot.hpp"
 
-#include "updating/localisation/absorber_law.hpp"
-#include "updating/localisation/signature.hpp"
+#include "updating/localisation/signature_laws.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <numbers>
 
 namespace tapfit::tui {
 namespace {
 
 using updating::Signature;
+using updating::SignatureLaw;
 
-/// Re z of the three laws at s = j w: mass -w^2 m, spring k; dashpot Im w c.
-Curve law_curve(const std::string& label,
-                const Eigen::VectorXd& frequency_hz,
-                const Pen& pen,
-                double m,
-                double k,
-                double c) {
-  const Eigen::ArrayXd w = 2.0 * std::numbers::pi * frequency_hz.array();
-  Curve curve{label, frequency_hz, {}, {}, {}, pen};
-  const Eigen::ArrayXd re = k - m * w.square();
-  const Eigen::ArrayXd im = c * w;
-  curve.y = c != 0.0 ? im.matrix() : re.matrix();
-  return curve;
-}
-
-/// Re z of the absorber.
-Curve absorber_curve(const Signature& s) {
-  using namespace std::complex_literals;
-  const Eigen::VectorXcd jw = 2.0i * std::numbers::pi * s.frequency_hz;
-  return {"absorber law",
-          s.frequency_hz,
-          updating::absorber_stiffness(s.absorber, jw).real(),
-          {},
-          {},
-          {Colour::Red, Pattern::Dashed, 'a'}};
+/// A glyph and a colour of its own where several are shown.
+Pen pen_of(const SignatureLaw& law, bool all_laws) {
+  if (law.effect == "absorber") return {Colour::Red, Pattern::Dashed, 'a'};
+  if (all_laws && law.effect == "spring") {
+    return {Colour::Green, Pattern::Dashed, 'k'};
+  }
+  if (all_laws && law.effect == "dashpot") {
+    return {Colour::Yellow, Pattern::Dashed, 'c'};
+  }
+  return {Colour::Orange, Pattern::Dashed, 'o'};
 }
 
 /// The parts of z; stretches whose deviation is beyond the plot's sense are
@@ -55,39 +38,18 @@ Plot laws_plot(const Signature& s,
   plot.y = {"missing z", "N/m", 0.0, 0.0, false};
   if (shown.cursor_set) plot.cursor = shown.cursor;
   if (s.z.size() != n || n == 0) return plot;
-  Curve real{"Re z", s.frequency_hz, s.z.real(), {}, {}, {Colour::Sky}};
-  Curve imaginary{"Im z",
-                  s.frequency_hz,
-                  s.z.imag(),
-                  {},
-                  {},
-                  {Colour::Purple, Pattern::Dotted, '+'}};
-  plot.curves = {real, imaginary};
-  const double best = std::min(
-      {s.mass_unexplained, s.spring_unexplained, s.dashpot_unexplained});
-  const auto wanted = [&](double left) {
-    return all_laws || (left == best && !resonant);
-  };
   const auto add = [&](const std::string& label,
-                       const Pen& pen,
-                       double m,
-                       double k,
-                       double c) {
-    plot.curves.push_back(law_curve(label, s.frequency_hz, pen, m, k, c));
+                       const Eigen::VectorXd& values,
+                       const Pen& pen) {
+    plot.curves.push_back({label, s.frequency_hz, values, {}, {}, pen});
   };
-  const Pen first{Colour::Orange, Pattern::Dashed, 'o'};
-  if (wanted(s.mass_unexplained)) add("mass law", first, s.mass_kg, 0.0, 0.0);
-  if (wanted(s.spring_unexplained)) {
-    const Pen pen = all_laws ? Pen{Colour::Green, Pattern::Dashed, 'k'} : first;
-    add("spring law", pen, 0.0, s.spring_n_per_m, 0.0);
-  }
-  if (wanted(s.dashpot_unexplained)) {
-    const Pen pen =
-        all_laws ? Pen{Colour::Yellow, Pattern::Dashed, 'c'} : first;
-    add("dashpot law", pen, 0.0, 0.0, s.dashpot_ns_per_m);
-  }
-  if ((all_laws || resonant) && s.absorber.mass_kg > 0.0) {
-    plot.curves.push_back(absorber_curve(s));
+  add("Re z", s.z.real(), {Colour::Sky});
+  add("Im z", s.z.imag(), {Colour::Purple, Pattern::Dotted, '+'});
+  const std::vector<SignatureLaw> laws =
+      all_laws ? updating::signature_laws(s)
+               : std::vector{updating::best_law(s, resonant)};
+  for (const SignatureLaw& law : laws) {
+    add(law.effect + " law", law.shown(), pen_of(law, all_laws));
   }
   return plot;
 }
