@@ -138,6 +138,8 @@ BulkData read_bulk_data(const std::filesystem::path& path) {
   BulkData result;
   result.lines = std::move(source.all);
   result.control = std::move(source.control);
+  result.left_out = std::move(source.left_out);
+  result.warnings = std::move(source.warnings);
   CardJoiner joiner(result.cards);
   for (const SourceLine& line : source.bulk) joiner.add(line);
   return result;

@@ -36,6 +36,9 @@ struct BulkData {
   std::vector<std::string> lines;  ///< the whole file, INCLUDE files inlined
   std::vector<Card> cards;
   CaseControl control;
+  /// Of an Abaqus or CalculiX deck, see DeckLines.
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> warnings;
 };
 
 /// Reads a deck up to ENDDATA. A file without BEGIN BULK is all bulk data,

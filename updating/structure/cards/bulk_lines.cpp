@@ -2,6 +2,9 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
+#include "updating/structure/abaqus/keyword_block.hpp"
+#include "updating/structure/abaqus/keyword_shapes.hpp"
+#include "updating/structure/abaqus/translate_inp.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
 #include "updating/structure/cards/card_shapes.hpp"
 
@@ -43,12 +46,6 @@ std::optional<std::string> include_name(const std::string& text) {
   return line.substr(open + 1, close - open - 1);
 }
 
-struct RawLine {
-  std::string text;
-  std::string where;
-  int number = 0;
-};
-
 // Beside the file that asks, or beside the deck itself, where solvers are
 // started.
 std::filesystem::path included(const std::filesystem::path& asks,
@@ -72,6 +69,12 @@ bool next_line(std::istream& file, std::string& text) {
 
 // A long name goes on in the next lines; false where the file ends in it.
 bool complete_include(std::istream& file, std::string& text, int& number) {
+  if (is_keyword_line(text) && upper(trimmed(text)) == "*INCLUDE,") {
+    std::string more;
+    if (!next_line(file, more)) return false;
+    text = trimmed(text) + trimmed(more);
+    ++number;
+  }
   for (std::string more; include_name(text) && ends_inside_quotes(text);) {
     if (!next_line(file, more)) return false;
     text += trimmed(more);
@@ -94,8 +97,11 @@ std::vector<std::string> names_included(const std::filesystem::path& path) {
   for (int number = 1; next_line(file, text); ++number) {
     if (number == 1) drop_byte_order_mark(text);
     (void)complete_include(file, text, number);
-    std::optional<std::string> name = include_name(text);
-    if (name) names.push_back(std::move(*name));
+    // In a file of unknown kind either syntax may count.
+    for (std::optional<std::string> name :
+         {include_name(text), included_by_keyword(text)}) {
+      if (name) names.push_back(std::move(*name));
+    }
   }
   return names;
 }
@@ -103,8 +109,9 @@ std::vector<std::string> names_included(const std::filesystem::path& path) {
 /// A deck with its INCLUDE files inlined.
 struct RawDeck {
   std::size_t files = 0;  ///< read, each time one is asked for
-  std::vector<RawLine> lines;
+  std::vector<PlacedLine> lines;
   std::uintmax_t bytes = 0;
+  bool keywords = false;  ///< an Abaqus or CalculiX deck
 };
 
 // Opens a file of the deck, as long as there is no end of them.
@@ -148,7 +155,8 @@ void read_file(const std::filesystem::path& path,
                      "Remove the INCLUDE that leads back.");
   }
   std::ifstream file = open_part(path, asked_by, deck);
-  CardShapes shapes;
+  CardShapes cards;
+  KeywordShapes keywords;
   std::string text;
   for (int number = 1; next_line(file, text); ++number) {
     if (number == 1) drop_byte_order_mark(text);
@@ -159,13 +167,16 @@ void read_file(const std::filesystem::path& path,
                        where,
                        "Close the quotes.");
     }
-    const std::optional<std::string> name = include_name(text);
+    const std::optional<std::string> name =
+        deck.keywords ? included_by_keyword(text) : include_name(text);
     if (name) {
-      deck.lines.push_back({"$ inlined: " + trimmed(text), where, number});
+      const char* mark = deck.keywords ? "** " : "$ ";
+      deck.lines.push_back(
+          {mark + ("inlined: " + trimmed(text)), where, number});
       read_file(included(path, *name, folder), folder, where, depth + 1, deck);
     } else {
       deck.lines.push_back({text, where, number});
-      shapes.add(text);
+      deck.keywords ? keywords.add(text) : cards.add(text);
     }
   }
   if (file.bad()) {
@@ -175,7 +186,7 @@ void read_file(const std::filesystem::path& path,
         "Check the disk, and that it is a file of cards.");
   }
   // Before anything that it holds is looked at closer, and quoted.
-  shapes.check(path, asked_by);
+  deck.keywords ? keywords.check(path, asked_by) : cards.check(path, asked_by);
 }
 
 // NAME = value, in capitals; empty for other lines.
@@ -246,17 +257,24 @@ class CaseReader {
 
 DeckLines read_deck_lines(const std::filesystem::path& path) {
   RawDeck deck;
+  DeckLines result;
+  deck.keywords = is_keyword_deck(path);
   read_file(path, path.parent_path(), path.string(), 0, deck);
-  const std::vector<RawLine>& raw = deck.lines;
+  if (deck.keywords) {
+    TranslatedDeck translated = translate_inp(deck.lines);
+    deck.lines = std::move(translated.lines);
+    result.left_out = std::move(translated.left_out);
+    result.warnings = std::move(translated.warnings);
+  }
+  const std::vector<PlacedLine>& raw = deck.lines;
   const bool has_begin =
-      std::any_of(raw.begin(), raw.end(), [](const RawLine& line) {
+      std::any_of(raw.begin(), raw.end(), [](const PlacedLine& line) {
         return is_begin_bulk(without_comment(line.text));
       });
-  DeckLines result;
   bool in_bulk = !has_begin;
   bool ended = false;
   CaseReader cases;
-  for (const RawLine& line : raw) {
+  for (const PlacedLine& line : raw) {
     result.all.push_back(line.text);
     const std::string text = expand_tabs(without_comment(line.text));
     if (ended || trimmed(text).empty()) continue;

@@ -1,7 +1,8 @@
 // The lines of a deck: comments and executive control set aside, INCLUDE files
-// brought in at their place.
+// brought in at their place, Abaqus and CalculiX decks translated.
 #pragma once
 
+#include "updating/structure/abaqus/inp_deck.hpp"
 #include "updating/structure/cards/line_text.hpp"
 
 #include <filesystem>
@@ -32,10 +33,15 @@ struct DeckLines {
   std::vector<std::string> all;  ///< every line as written, INCLUDE inlined
   std::vector<SourceLine> bulk;  ///< between BEGIN BULK and ENDDATA
   CaseControl control;
+  /// Of an Abaqus or CalculiX deck, whose lines are those of its translation.
+  std::vector<LeftOut> left_out;
+  std::vector<std::string> warnings;
 };
 
-/// @throws InputError for a file that cannot be read, is no bulk data, or
-///   includes itself, and for more than 1000 INCLUDE files or 512 MB
+/// A deck that begins with a keyword (`*NODE`) is an Abaqus or CalculiX one.
+///
+/// @throws InputError for a file that cannot be read, is no deck, or includes
+///   itself, and for more than 1000 INCLUDE files or 512 MB
 [[nodiscard]] DeckLines read_deck_lines(const std::filesystem::path& path);
 
 /// Which files of a deck are opened; all, where it is empty.

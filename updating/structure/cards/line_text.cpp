@@ -2,22 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 namespace tapfit::structure {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string upper(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) {
-    return static_cast<char>(std::toupper(c));
-  });
-  return text;
-}
 
 std::string expand_tabs(const std::string& text) {
   std::string result;

@@ -1,12 +1,11 @@
 // One line of a deck as text.
 #pragma once
 
+#include "acquisition/foundation/trimmed_text.hpp"
+
 #include <string>
 
 namespace tapfit::structure {
-
-[[nodiscard]] std::string trimmed(const std::string& text);
-[[nodiscard]] std::string upper(std::string text);
 
 /// Tabs lead to the next column that is a multiple of 8.
 [[nodiscard]] std::string expand_tabs(const std::string& text);

@@ -25,6 +25,7 @@ DeckBuilder read_cards(const BulkData& bulk,
                        const std::vector<CardTable>& passes) {
   DeckBuilder builder;
   builder.deck.cards = bulk.lines;
+  builder.deck.warnings = bulk.warnings;
   read_places(builder, bulk.cards);
   for (const CardTable& table : passes) {
     for (const Card& card : bulk.cards) {

@@ -106,6 +106,12 @@ bool is_needed(const std::string& name) {
        "BCBODY", "SEBULK", "SECONCT", "SEELT",  "SELOC",   "GENEL",  "="});
 }
 
+// Keywords of Abaqus hold blanks, which do not count.
+std::string without_blanks(std::string name) {
+  std::erase(name, ' ');
+  return name;
+}
+
 struct Unknown {
   std::string where;  // of the first
   int line = 0;
@@ -132,6 +138,9 @@ UnsupportedCards unsupported_cards(const BulkData& bulk,
     }
   }
   UnsupportedCards result;
+  for (const LeftOut& own : bulk.left_out) {
+    result.needed.push_back({own.name, own.where, own.text, false});
+  }
   std::vector<std::string> harmless;
   for (const auto& [name, seen] : unknown) {
     if (is_harmless(name)) {
@@ -165,7 +174,7 @@ void refuse_needed(const UnsupportedCards& cards,
   for (const UnsupportedCard& card : cards.needed) {
     const bool given_up = std::any_of(
         ignored.begin(), ignored.end(), [&](const std::string& name) {
-          return upper(name) == card.name;
+          return without_blanks(upper(name)) == without_blanks(card.name);
         });
     if (!given_up) left.push_back(&card);
   }
@@ -178,7 +187,7 @@ void refuse_needed(const UnsupportedCards& cards,
       fmt::format("Write it with cards that are read, or leave it out "
                   "knowingly: \"ignore_cards\": [\"{0}\"] in test.json, "
                   "--ignore-card {0} of tapfit model.",
-                  left.front()->name));
+                  without_blanks(left.front()->name)));
 }
 
 }  // namespace tapfit::structure

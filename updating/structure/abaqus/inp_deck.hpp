@@ -1,0 +1,184 @@
+// What is known of an Abaqus or CalculiX deck while it is translated. Each
+// group of keywords has a translator of its own; translate_inp runs them in
+// order of dependence.
+#pragma once
+
+#include "updating/structure/abaqus/card_lines.hpp"
+#include "updating/structure/abaqus/element_types.hpp"
+#include "updating/structure/abaqus/keyword_block.hpp"
+
+#include <Eigen/Core>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace tapfit::structure {
+
+/// Keywords or element types that carry stiffness, mass or a constraint and are
+/// not read.
+struct LeftOut {
+  std::string name;   ///< "CONTACT PAIR", "CPE8"
+  std::string where;  ///< "file:line" of the first
+  std::string text;   ///< line of the first, how many, the consequence
+};
+
+struct InpNode {
+  int id = 0;
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();
+  Place place;
+};
+
+struct InpElement {
+  int id = 0;
+  const InpType* type = nullptr;  ///< none: not read, see InpDeck::left_out
+  std::string type_name;
+  std::vector<int> nodes;  ///< as written
+  Place place;
+  int property = 0;  ///< 0: no section yet
+};
+
+/// Faces of elements, or nodes.
+struct InpSurface {
+  std::vector<std::vector<int>> faces;  ///< corners, then middles of sides
+  std::vector<std::size_t> corners;     ///< of each face
+  std::vector<int> nodes;               ///< all, each once
+  bool of_shells = false;               ///< its nodes turn
+};
+
+/// *ORIENTATION.
+struct InpOrientation {
+  bool cylindrical = false;
+  Eigen::Vector3d a = Eigen::Vector3d::Zero();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  int turned_about = 0;  ///< 1..3; 0: not given
+  double turn_deg = 0.0;
+
+  /// Columns x, y, z at a place, in the deck's axes.
+  [[nodiscard]] Eigen::Matrix3d axes(const Eigen::Vector3d& at) const;
+};
+
+/// *MATERIAL.
+struct InpMaterial {
+  std::string name;
+  Place place;
+  /// "" none, else ISOTROPIC, ORTHOTROPIC, ENGINEERINGCONSTANTS, LAMINA,
+  /// ANISOTROPIC.
+  std::string type;
+  std::vector<double> moduli;
+  double density = 0.0;
+  int plain = 0;  ///< id of its MAT1, 0: not written yet
+  int layer = 0;  ///< of its MAT8
+  int solid = 0;  ///< of its MAT9
+};
+
+struct InpDeck {
+  std::vector<Keyword> keywords;
+  int last_step = 1;  ///< whose boundary conditions hold
+  std::vector<InpNode> nodes;
+  std::unordered_map<int, std::size_t> node_index;
+  std::vector<InpElement> elements;
+  std::unordered_map<int, std::size_t> element_index;
+  std::map<std::string, std::vector<int>> node_sets;
+  std::map<std::string, std::vector<int>> element_sets;
+  std::map<std::string, InpSurface> surfaces;
+  std::map<std::string, InpOrientation> orientations;
+  std::vector<InpMaterial> materials;
+  std::unordered_map<int, int> system_of_node;  ///< *TRANSFORM
+  std::unordered_map<int, double> thickness_of_node;
+  /// *RIGID BODY: the degrees of freedom 1 to 3 of this node are 4 to 6 of
+  /// that.
+  std::map<int, int> turning_node;
+  CardLines cards;
+  std::vector<std::string> named;     ///< "MAT1 1 is STEEL"
+  std::vector<std::string> warnings;  ///< what else is to be said
+  std::vector<LeftOut> left_out;
+  int next_element = 1;
+  int next_grid = 1;
+  int next_property = 1;
+  int next_material = 1;
+  int next_system = 1;
+
+  /// @throws InputError where the node is not defined
+  [[nodiscard]] const InpNode& node(int id, const Place& asks) const;
+
+  /// The nodes of a set, or one by its id.
+  /// @throws InputError where there is no such set or node
+  [[nodiscard]] std::vector<int> nodes_of(const std::string& text,
+                                          const Place& asks) const;
+  /// Likewise of elements; places in `elements`.
+  [[nodiscard]] std::vector<std::size_t> elements_of(const std::string& text,
+                                                     const Place& asks) const;
+
+  /// Keywords of a name that belong to the model.
+  [[nodiscard]] std::vector<const Keyword*> of(const std::string& name) const;
+};
+
+/// Adds a warning, once.
+void say(InpDeck& deck, const std::string& text);
+
+/// Adds to what is not read; equal names are counted.
+struct LeftOutCount {
+  Place place;
+  int count = 0;
+  std::string consequence;
+};
+using LeftOutCounts = std::map<std::string, LeftOutCount>;
+void count_left_out(LeftOutCounts& counts,
+                    const std::string& name,
+                    const Place& place,
+                    const std::string& consequence);
+
+/// Joins what *PART, *INSTANCE and *ASSEMBLY hold into one model.
+/// @throws InputError for more than one part or instance, or a moved one
+void flatten_assembly(InpDeck& deck);
+
+/// Names what is not read, in `left_out` and `warnings`; finds `last_step`.
+void sort_keywords(InpDeck& deck);
+
+void read_inp_nodes(InpDeck& deck);
+void read_inp_elements(InpDeck& deck);
+void read_inp_sets(InpDeck& deck);
+void read_inp_surfaces(InpDeck& deck);
+void read_inp_materials(InpDeck& deck);
+void read_inp_orientations(InpDeck& deck);
+
+/// Writes GRID and CORD2 cards.
+void write_inp_grids(InpDeck& deck);
+/// Writes the cards of *SHELL SECTION, *SOLID SECTION, ...
+void write_inp_sections(InpDeck& deck);
+void write_beam_sections(InpDeck& deck);
+void write_point_elements(InpDeck& deck);
+/// Writes the elements that have sections.
+/// @throws InputError for one that has none
+void write_inp_elements(InpDeck& deck);
+void write_inp_rigids(InpDeck& deck);
+void write_inp_equations(InpDeck& deck);
+void write_inp_ties(InpDeck& deck);
+void write_inp_boundary(InpDeck& deck);
+
+/// Id of the material's card of a kind, which is written where it has not been.
+/// @param card "MAT1"; MAT8 and MAT9 become MAT1 for an isotropic material
+/// @throws InputError for a material that has no moduli, or none of the kind
+[[nodiscard]] int material_card(InpDeck& deck,
+                                const std::string& name,
+                                const std::string& card,
+                                const Place& asks);
+
+/// Whether a material is the same in all directions.
+[[nodiscard]] bool is_isotropic(const InpDeck& deck,
+                                const std::string& name,
+                                const Place& asks);
+
+/// @throws InputError for an orientation that is not defined
+[[nodiscard]] const InpOrientation& orientation_of(const InpDeck& deck,
+                                                   const std::string& name,
+                                                   const Place& asks);
+
+/// Writes CORD2R. @return its id
+int write_axes(InpDeck& deck, const Eigen::Matrix3d& axes, const Place& place);
+
+}  // namespace tapfit::structure

@@ -1,0 +1,212 @@
+#include "updating/structure/abaqus/keyword_block.hpp"
+
+#include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/trimmed_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+
+namespace tapfit::structure {
+namespace {
+
+std::string without_blanks(std::string text) {
+  std::erase_if(text, [](unsigned char c) { return std::isspace(c) != 0; });
+  return text;
+}
+
+// One blank between words.
+std::string with_single_blanks(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    const bool blank = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (blank && (result.empty() || result.back() == ' ')) continue;
+    result += blank ? ' ' : c;
+  }
+  return trimmed(result);
+}
+
+std::string without_quotes(const std::string& text) {
+  std::string bare = trimmed(text);
+  std::erase(bare, '"');
+  std::erase(bare, '\'');
+  return trimmed(bare);
+}
+
+// Between commas; a comma at the end begins no field.
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> fields;
+  std::size_t from = 0;
+  while (from <= text.size()) {
+    const std::size_t comma = std::min(text.find(',', from), text.size());
+    fields.push_back(trimmed(text.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  if (fields.size() > 1 && fields.back().empty()) fields.pop_back();
+  return fields;
+}
+
+void take_options(const std::string& text, Keyword& keyword) {
+  for (const std::string& field : split(text)) {
+    if (field.empty()) continue;
+    const std::size_t equals = std::min(field.find('='), field.size());
+    const std::string value =
+        equals < field.size() ? field.substr(equals + 1) : "";
+    keyword.options[upper(without_blanks(field.substr(0, equals)))] =
+        without_quotes(value);
+  }
+}
+
+Keyword begin_keyword(const PlacedLine& line, int step) {
+  Keyword keyword;
+  const std::string text = trimmed(line.text).substr(1);
+  const std::size_t comma = std::min(text.find(','), text.size());
+  keyword.shown = upper(with_single_blanks(text.substr(0, comma)));
+  keyword.name = without_blanks(keyword.shown);
+  keyword.place = {line.where, line.number};
+  keyword.step = step;
+  if (comma < text.size()) take_options(text.substr(comma + 1), keyword);
+  return keyword;
+}
+
+// A field as a message quotes it.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t most = 40;
+  return text.size() <= most ? text : text.substr(0, most) + "...";
+}
+
+}  // namespace
+
+const std::string& DataLine::text(std::size_t field) const {
+  static const std::string none;
+  return field < fields.size() ? fields[field] : none;
+}
+
+bool Keyword::has(const std::string& option) const {
+  return options.contains(option);
+}
+
+std::string Keyword::option(const std::string& wanted) const {
+  const auto found = options.find(wanted);
+  return found == options.end() ? "" : upper(found->second);
+}
+
+std::string Keyword::needed_option(const std::string& wanted) const {
+  const std::string value = option(wanted);
+  if (value.empty()) {
+    fail(fmt::format("it names no {}", wanted),
+         fmt::format("Write *{}, {}=...", shown, wanted));
+  }
+  return value;
+}
+
+const DataLine& Keyword::line(std::size_t k, const char* meaning) const {
+  if (k >= lines.size()) {
+    fail(fmt::format("its data line {} ({}) is missing", k + 1, meaning),
+         "Write it below the keyword.");
+  }
+  return lines[k];
+}
+
+void Keyword::fail(const std::string& what, const std::string& remedy) const {
+  throw InputError(what, place.where + " *" + shown, remedy);
+}
+
+bool is_keyword_line(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  return first != std::string::npos && text[first] == '*' &&
+         first + 1 < text.size() &&
+         std::isalpha(static_cast<unsigned char>(text[first + 1])) != 0;
+}
+
+std::optional<std::string> included_by_keyword(const std::string& text) {
+  if (!is_keyword_line(text)) return {};
+  const Keyword keyword = begin_keyword({text, "", 0}, 0);
+  if (keyword.name != "INCLUDE" || !keyword.has("INPUT")) return {};
+  return keyword.options.at("INPUT");
+}
+
+std::vector<Keyword> keyword_blocks(const std::vector<PlacedLine>& lines) {
+  std::vector<Keyword> blocks;
+  int steps = 0;
+  int step = 0;
+  bool open = false;  // the keyword goes on in the next line
+  for (const PlacedLine& line : lines) {
+    const std::string text = trimmed(line.text);
+    if (text.empty() || text.starts_with("**")) continue;
+    if (is_keyword_line(text)) {
+      Keyword next = begin_keyword(line, step);
+      if (next.name == "STEP") step = next.step = ++steps;
+      if (next.name == "ENDSTEP") step = steps + 1;
+      blocks.push_back(std::move(next));
+    } else if (blocks.empty()) {
+      continue;
+    } else if (open) {
+      take_options(text, blocks.back());
+    } else {
+      blocks.back().lines.push_back(
+          {split(text), {line.where, line.number}, text.ends_with(',')});
+    }
+    open = (is_keyword_line(text) || open) && text.ends_with(',');
+  }
+  return blocks;
+}
+
+void fail_at(const Place& place,
+             const std::string& what,
+             const std::string& remedy) {
+  throw InputError(what, place.where, remedy);
+}
+
+double number_in(const DataLine& line, std::size_t field, const char* meaning) {
+  std::string number = upper(line.text(field));
+  std::replace(number.begin(), number.end(), 'D', 'E');
+  std::size_t from = number.starts_with('+') ? 1 : 0;
+  // from_chars takes no plus sign in an exponent either way but "E+5" is fine.
+  double value = 0.0;
+  const char* end = number.data() + number.size();
+  const auto [stop, error] = std::from_chars(number.data() + from, end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value)) {
+    fail_at(line.place,
+            fmt::format("field {} ({}) is \"{}\", a number is needed",
+                        field + 1,
+                        meaning,
+                        shortened(line.text(field))),
+            "Correct the field.");
+  }
+  return value;
+}
+
+double number_or(const DataLine& line,
+                 std::size_t field,
+                 double fallback,
+                 const char* meaning) {
+  return line.text(field).empty() ? fallback : number_in(line, field, meaning);
+}
+
+std::optional<int> integer_of(const std::string& text) {
+  const std::size_t from = text.starts_with('+') ? 1 : 0;
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + from, end, value);
+  if (error != std::errc() || stop != end || from == text.size()) return {};
+  return value;
+}
+
+int integer_in(const DataLine& line, std::size_t field, const char* meaning) {
+  const std::optional<int> value = integer_of(line.text(field));
+  if (!value) {
+    fail_at(line.place,
+            fmt::format("field {} ({}) is \"{}\", an integer is needed",
+                        field + 1,
+                        meaning,
+                        shortened(line.text(field))),
+            "Correct the field.");
+  }
+  return *value;
+}
+
+}  // namespace tapfit::structure

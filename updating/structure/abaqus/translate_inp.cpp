@@ -1,0 +1,77 @@
+#include "updating/structure/abaqus/translate_inp.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace tapfit::structure {
+namespace {
+
+// Names of sets and materials as ids of bulk data, the first ones.
+std::string ids_of_names(const std::vector<std::string>& named) {
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(most, named.size()); ++k) {
+    text += (k == 0 ? " " : ", ") + named[k];
+  }
+  if (named.size() > most) {
+    text += fmt::format(" and {} more", named.size() - most);
+  }
+  return text;
+}
+
+bool has_card(const std::vector<PlacedLine>& lines, const std::string& name) {
+  return std::ranges::any_of(lines, [&](const PlacedLine& line) {
+    return line.text.starts_with(name);
+  });
+}
+
+std::vector<PlacedLine> with_control(const std::vector<PlacedLine>& cards) {
+  std::vector<PlacedLine> lines{
+      {"$ An Abaqus or CalculiX deck, translated to bulk data", "", 0},
+      {"SOL 103", "", 0},
+      {"CEND", "", 0}};
+  if (has_card(cards, "SPC1")) lines.push_back({"SPC = 1", "", 0});
+  if (has_card(cards, "MPC")) lines.push_back({"MPC = 1", "", 0});
+  lines.push_back({"BEGIN BULK", "", 0});
+  lines.push_back({"PARAM   COUPMASS1", "", 0});
+  lines.insert(lines.end(), cards.begin(), cards.end());
+  lines.push_back({"ENDDATA", "", 0});
+  return lines;
+}
+
+}  // namespace
+
+TranslatedDeck translate_inp(const std::vector<PlacedLine>& lines) {
+  InpDeck deck;
+  deck.keywords = keyword_blocks(lines);
+  flatten_assembly(deck);
+  sort_keywords(deck);
+  read_inp_nodes(deck);
+  read_inp_elements(deck);
+  read_inp_sets(deck);
+  read_inp_surfaces(deck);
+  read_inp_orientations(deck);
+  read_inp_materials(deck);
+  write_inp_grids(deck);
+  write_inp_sections(deck);
+  write_beam_sections(deck);
+  write_point_elements(deck);
+  write_inp_elements(deck);
+  write_inp_rigids(deck);
+  write_inp_equations(deck);
+  write_inp_ties(deck);
+  write_inp_boundary(deck);
+  TranslatedDeck result;
+  result.lines = with_control(deck.cards.lines());
+  result.left_out = std::move(deck.left_out);
+  result.warnings.push_back(
+      "an Abaqus or CalculiX deck, read as bulk data: what is written is bulk "
+      "data;" +
+      ids_of_names(deck.named));
+  result.warnings.insert(
+      result.warnings.end(), deck.warnings.begin(), deck.warnings.end());
+  return result;
+}
+
+}  // namespace tapfit::structure
