@@ -48,7 +48,7 @@ BeamSection section_of_beams(const Keyword& keyword) {
   const bool general = keyword.name == "BEAMGENERALSECTION";
   std::string type = keyword.option("SECTION");
   if (type.empty() && general) type = "GENERAL";
-  if (type.empty()) (void)keyword.needed_option("SECTION");
+  if (type.empty()) static_cast<void>(keyword.needed_option("SECTION"));
   BeamSection own;
   own.shape = beam_shape(type, keyword.line(0, "dimensions"));
   own.off = {

@@ -106,7 +106,8 @@ BeamShape pipe(const DataLine& line) {
   return s;
 }
 
-// Sides along 1 and 2, walls at +1, +2, -1, -2. J by Bredt.
+// Sides along 1 and 2, walls at +1, +2, -1, -2. J by Bredt, or that of the open
+// section where a wall is as thin as nothing.
 BeamShape box(const DataLine& line) {
   const std::vector<double> d = dimensions(line, 6);
   const double inner_1 = d[0] - d[2] - d[4];
@@ -119,7 +120,8 @@ BeamShape box(const DataLine& line) {
                           {inner_1, d[5], between, -0.5 * (d[1] - d[5])}});
   const double w = d[0] - 0.5 * (d[2] + d[4]);
   const double h = d[1] - 0.5 * (d[3] + d[5]);
-  s.J = 4.0 * w * w * h * h / (h / d[2] + w / d[3] + h / d[4] + w / d[5]);
+  s.J = std::max(
+      s.J, 4.0 * w * w * h * h / (h / d[2] + w / d[3] + h / d[4] + w / d[5]));
   s.K1 = s.K2 = 0.44;
   s.size = {d[0], d[1]};
   return s;
@@ -161,8 +163,8 @@ BeamShape general(const DataLine& line) {
 }  // namespace
 
 BeamShape beam_shape(const std::string& type, const DataLine& line) {
-  if (type == "RECT") return rect(line);
-  if (type == "CIRC") return circ(line);
+  if (type.starts_with("RECT")) return rect(line);
+  if (type.starts_with("CIRC")) return circ(line);
   if (type == "PIPE" || type == "THICKPIPE") return pipe(line);
   if (type == "BOX") return box(line);
   if (type == "I") return i_shape(line);

@@ -94,9 +94,6 @@ void write_inp_boundary(InpDeck& deck) {
       add_hold(deck, std::move(hold), holds);
     }
   }
-  for (const auto& [turning, body] : deck.turning_node) {
-    holds.push_back({deck.node(turning, {}).place, "123456", {turning}});
-  }
   for (const Hold& hold : holds) {
     std::vector<std::string> fields{"1", hold.components};
     for (const int id : hold.nodes) fields.push_back(fmt::format("{}", id));

@@ -116,4 +116,17 @@ void count_left_out(LeftOutCounts& counts,
   }
 }
 
+void add_left_out(InpDeck& deck, const LeftOutCounts& counts) {
+  for (const auto& [name, seen] : counts) {
+    deck.left_out.push_back({name,
+                             seen.place.where,
+                             fmt::format("{} (line {}, {} in all) is not read: "
+                                         "{}",
+                                         name,
+                                         seen.place.number,
+                                         seen.count,
+                                         seen.consequence)});
+  }
+}
+
 }  // namespace tapfit::structure

@@ -6,6 +6,7 @@
 #include "updating/structure/abaqus/card_lines.hpp"
 #include "updating/structure/abaqus/element_types.hpp"
 #include "updating/structure/abaqus/keyword_block.hpp"
+#include "updating/structure/abaqus/left_out.hpp"
 
 #include <Eigen/Core>
 
@@ -17,14 +18,6 @@
 #include <vector>
 
 namespace tapfit::structure {
-
-/// Keywords or element types that carry stiffness, mass or a constraint and are
-/// not read.
-struct LeftOut {
-  std::string name;   ///< "CONTACT PAIR", "CPE8"
-  std::string where;  ///< "file:line" of the first
-  std::string text;   ///< line of the first, how many, the consequence
-};
 
 struct InpNode {
   int id = 0;
@@ -132,6 +125,9 @@ void count_left_out(LeftOutCounts& counts,
                     const Place& place,
                     const std::string& consequence);
 
+/// Puts what was counted into `left_out`, one sentence each.
+void add_left_out(InpDeck& deck, const LeftOutCounts& counts);
+
 /// Joins what *PART, *INSTANCE and *ASSEMBLY hold into one model.
 /// @throws InputError for more than one part or instance, or a moved one
 void flatten_assembly(InpDeck& deck);
@@ -146,6 +142,9 @@ void read_inp_surfaces(InpDeck& deck);
 void read_inp_materials(InpDeck& deck);
 void read_inp_orientations(InpDeck& deck);
 
+/// Finds the nodes of `turning_node`; what they turn is known once
+/// write_inp_rigids() has been.
+void find_turning_nodes(InpDeck& deck);
 /// Writes GRID and CORD2 cards.
 void write_inp_grids(InpDeck& deck);
 /// Writes the cards of *SHELL SECTION, *SOLID SECTION, ...

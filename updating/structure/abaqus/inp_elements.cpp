@@ -40,9 +40,10 @@ std::size_t most_nodes(const InpType& type) {
   return type.nodes + (type.family == InpFamily::Beam ? 1 : 0);
 }
 
-void check_nodes(const InpDeck& deck, const InpElement& e) {
+// CalculiX passes over what stands behind the last node of a type.
+void check_nodes(InpDeck& deck, InpElement& e) {
   const std::size_t needed = e.type->nodes;
-  if (e.nodes.size() < needed || e.nodes.size() > most_nodes(*e.type)) {
+  if (e.nodes.size() < needed) {
     fail_at(e.place,
             fmt::format("element {} has {} nodes, {} has {}",
                         e.id,
@@ -51,7 +52,15 @@ void check_nodes(const InpDeck& deck, const InpElement& e) {
                         needed),
             "Correct its line; one that goes on in the next ends in a comma.");
   }
-  for (const int id : e.nodes) (void)deck.node(id, e.place);
+  if (e.nodes.size() > most_nodes(*e.type)) {
+    say(deck,
+        fmt::format("elements of type {} name more than {} nodes: those behind "
+                    "are left out",
+                    e.type_name,
+                    needed));
+    e.nodes.resize(needed);
+  }
+  for (const int id : e.nodes) static_cast<void>(deck.node(id, e.place));
 }
 
 void add_element(InpDeck& deck, InpElement e, const std::string& set) {
@@ -122,16 +131,7 @@ void read_inp_elements(InpDeck& deck) {
       add_element(deck, std::move(e), set);
     }
   }
-  for (const auto& [name, seen] : counts) {
-    deck.left_out.push_back(
-        {name,
-         seen.place.where,
-         fmt::format("the element type {} (line {}, {} in all) is not read: {}",
-                     name,
-                     seen.place.number,
-                     seen.count,
-                     seen.consequence)});
-  }
+  add_left_out(deck, counts);
 }
 
 void write_inp_elements(InpDeck& deck) {

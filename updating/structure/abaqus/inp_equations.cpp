@@ -97,14 +97,17 @@ void read_equations(InpDeck& deck, const Keyword& keyword) {
 }
 
 // Nodes of the second set beside those of the first, or one for all.
-void read_mpcs(InpDeck& deck, const Keyword& keyword) {
+void read_mpcs(InpDeck& deck, const Keyword& keyword, LeftOutCounts& others) {
   for (const DataLine& line : keyword.lines) {
     const std::string type = upper(line.text(0));
     if (type != "BEAM" && type != "PIN" && type != "TIE") {
       constexpr std::size_t most = 20;
-      fail_at(line.place,
-              fmt::format("the MPC {} is not read", type.substr(0, most)),
-              "Use BEAM, PIN or TIE, or write it as *EQUATION.");
+      count_left_out(
+          others,
+          "MPC " + type.substr(0, most),
+          line.place,
+          "a constraint is missing; use BEAM, PIN, TIE or *EQUATION");
+      continue;
     }
     const std::vector<int> follow = deck.nodes_of(line.text(1), line.place);
     const std::vector<int> lead = deck.nodes_of(line.text(2), line.place);
@@ -137,11 +140,13 @@ void read_mpcs(InpDeck& deck, const Keyword& keyword) {
 }  // namespace
 
 void write_inp_equations(InpDeck& deck) {
+  LeftOutCounts others;
   for (const Keyword& keyword : deck.keywords) {
     if (keyword.step != 0) break;
     if (keyword.name == "EQUATION") read_equations(deck, keyword);
-    if (keyword.name == "MPC") read_mpcs(deck, keyword);
+    if (keyword.name == "MPC") read_mpcs(deck, keyword, others);
   }
+  add_left_out(deck, others);
 }
 
 }  // namespace tapfit::structure

@@ -135,6 +135,7 @@ void write_inp_grids(InpDeck& deck) {
     }
   }
   for (const InpNode& node : deck.nodes) {
+    if (deck.turning_node.contains(node.id)) continue;
     const auto system = deck.system_of_node.find(node.id);
     deck.cards.card(node.place,
                     "GRID",

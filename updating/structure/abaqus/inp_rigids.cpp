@@ -32,7 +32,9 @@ void write_rbe2(InpDeck& deck,
                 std::vector<int> follow) {
   std::ranges::sort(follow);
   follow.erase(std::unique(follow.begin(), follow.end()), follow.end());
-  std::erase(follow, lead);
+  std::erase_if(follow, [&](int id) {
+    return id == lead || deck.turning_node.contains(id);
+  });
   if (follow.empty() || components.empty()) return;
   std::vector<std::string> fields{fmt::format("{}", deck.next_element++),
                                   fmt::format("{}", lead),
@@ -91,9 +93,9 @@ void write_rigid_body(InpDeck& deck, const Keyword& keyword) {
   const int lead = keyword.has("REFNODE") ? one_node(deck, keyword, "REFNODE")
                                           : add_middle(deck, keyword, nodes);
   if (keyword.has("ROTNODE")) {
-    const int turning = one_node(deck, keyword, "ROTNODE");
-    if (turning != lead) deck.turning_node[turning] = lead;
-    std::erase(nodes, turning);
+    const auto turning =
+        deck.turning_node.find(one_node(deck, keyword, "ROTNODE"));
+    if (turning != deck.turning_node.end()) turning->second = lead;
   }
   for (const int id : nodes) std::erase(pinned, id);
   write_rbe2(deck, keyword.place, lead, all_dofs, nodes);
@@ -194,6 +196,16 @@ void write_distributing(InpDeck& deck,
 }
 
 }  // namespace
+
+void find_turning_nodes(InpDeck& deck) {
+  for (const Keyword* keyword : deck.of("RIGIDBODY")) {
+    if (!keyword->has("ROTNODE")) continue;
+    const int turning = one_node(deck, *keyword, "ROTNODE");
+    const bool other = !keyword->has("REFNODE") ||
+                       one_node(deck, *keyword, "REFNODE") != turning;
+    if (other) deck.turning_node[turning] = 0;
+  }
+}
 
 void write_inp_rigids(InpDeck& deck) {
   std::optional<Coupling> open;

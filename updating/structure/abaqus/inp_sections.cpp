@@ -195,7 +195,7 @@ void write_composite(InpDeck& deck,
   for (const InpPly& ply : plies) {
     double angle = ply.angle_deg;
     if (!ply.orientation.empty() && !elements.empty()) {
-      (void)orientation_of(deck, ply.orientation, ply.place);
+      static_cast<void>(orientation_of(deck, ply.orientation, ply.place));
       const InpElement& first = deck.elements[elements.front()];
       angle = material_angle_deg(deck, first, ply.orientation) -
               material_angle_deg(deck, first, own.orientation);
@@ -246,7 +246,7 @@ void write_shell_section(InpDeck& deck, const Keyword& keyword) {
   own.offset = offset_of(keyword);
   own.orientation = keyword.option("ORIENTATION");
   if (!own.orientation.empty()) {
-    (void)orientation_of(deck, own.orientation, keyword.place);
+    static_cast<void>(orientation_of(deck, own.orientation, keyword.place));
   }
   const bool general = keyword.name == "SHELLGENERALSECTION";
   if (keyword.has("COMPOSITE")) {
@@ -304,7 +304,7 @@ void write_solid_section(InpDeck& deck, const Keyword& keyword) {
         {fmt::format("{}", id), fmt::format("{}", material), real_field(area)});
   }
   if (solids.empty() && trusses.empty()) {
-    (void)material_card(deck, name, "MAT9", keyword.place);
+    static_cast<void>(material_card(deck, name, "MAT9", keyword.place));
   }
 }
 

@@ -32,6 +32,12 @@ void add_faces(const InpDeck& deck, const DataLine& line, InpSurface& surface) {
   for (const std::size_t k : deck.elements_of(line.text(0), line.place)) {
     const InpElement& e = deck.elements[k];
     if (e.type == nullptr) continue;
+    if (e.type->family != InpFamily::Solid &&
+        e.type->family != InpFamily::Shell &&
+        e.type->family != InpFamily::Membrane) {
+      add_nodes(e.nodes, surface);  // of beams, which have faces in CalculiX
+      continue;
+    }
     const std::vector<std::size_t> at = inp_face(*e.type, number);
     if (at.empty()) {
       fail_at(line.place,

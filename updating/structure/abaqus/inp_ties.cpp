@@ -175,14 +175,19 @@ void write_tie(InpDeck& deck, const Keyword& keyword, const DataLine& line) {
 }  // namespace
 
 void write_inp_ties(InpDeck& deck) {
+  LeftOutCounts others;
   for (const Keyword* keyword : deck.of("TIE")) {
-    for (const char* other : {"CYCLICSYMMETRY", "MULTISTAGE"}) {
-      if (keyword->has(other)) {
-        keyword->fail("a tie of sectors is not read", "Write the whole model.");
-      }
+    if (keyword->has("CYCLICSYMMETRY") || keyword->has("MULTISTAGE")) {
+      count_left_out(others,
+                     "TIE",
+                     keyword->place,
+                     "a sector is not closed to the whole; write the whole "
+                     "model");
+      continue;
     }
     for (const DataLine& line : keyword->lines) write_tie(deck, *keyword, line);
   }
+  add_left_out(deck, others);
 }
 
 }  // namespace tapfit::structure

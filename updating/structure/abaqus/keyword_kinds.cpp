@@ -301,16 +301,7 @@ void sort_keywords(InpDeck& deck) {
       unknown.try_emplace(keyword.shown, keyword.place);
     }
   }
-  for (const auto& [name, seen] : counts) {
-    deck.left_out.push_back({name,
-                             seen.place.where,
-                             fmt::format("{} (line {}, {} in all) is not read: "
-                                         "{}",
-                                         name,
-                                         seen.place.number,
-                                         seen.count,
-                                         seen.consequence)});
-  }
+  add_left_out(deck, counts);
   for (const auto& [name, place] : unknown) {
     constexpr std::size_t most = 40;
     say(deck,

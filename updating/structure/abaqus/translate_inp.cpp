@@ -1,5 +1,7 @@
 #include "updating/structure/abaqus/translate_inp.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,7 +14,7 @@ std::string ids_of_names(const std::vector<std::string>& named) {
   constexpr std::size_t most = 20;
   std::string text;
   for (std::size_t k = 0; k < std::min(most, named.size()); ++k) {
-    text += (k == 0 ? " " : ", ") + named[k];
+    text += (k == 0 ? "; " : ", ") + named[k];
   }
   if (named.size() > most) {
     text += fmt::format(" and {} more", named.size() - most);
@@ -40,19 +42,14 @@ std::vector<PlacedLine> with_control(const std::vector<PlacedLine>& cards) {
   return lines;
 }
 
-}  // namespace
-
-TranslatedDeck translate_inp(const std::vector<PlacedLine>& lines) {
-  InpDeck deck;
-  deck.keywords = keyword_blocks(lines);
-  flatten_assembly(deck);
-  sort_keywords(deck);
+void translate(InpDeck& deck) {
   read_inp_nodes(deck);
   read_inp_elements(deck);
   read_inp_sets(deck);
   read_inp_surfaces(deck);
   read_inp_orientations(deck);
   read_inp_materials(deck);
+  find_turning_nodes(deck);
   write_inp_grids(deck);
   write_inp_sections(deck);
   write_beam_sections(deck);
@@ -62,12 +59,37 @@ TranslatedDeck translate_inp(const std::vector<PlacedLine>& lines) {
   write_inp_equations(deck);
   write_inp_ties(deck);
   write_inp_boundary(deck);
+}
+
+// What is not read may be why something is missing.
+InputError with_left_out(const InputError& error,
+                         const std::vector<LeftOut>& left_out) {
+  constexpr std::size_t most = 3;
+  std::string remedy = error.remedy();
+  for (std::size_t k = 0; k < std::min(most, left_out.size()); ++k) {
+    remedy += (k == 0 ? " It may come from: " : "; ") + left_out[k].text;
+  }
+  return {error.fault(), error.where(), remedy};
+}
+
+}  // namespace
+
+TranslatedDeck translate_inp(const std::vector<PlacedLine>& lines) {
+  InpDeck deck;
+  deck.keywords = keyword_blocks(lines);
+  flatten_assembly(deck);
+  sort_keywords(deck);
+  try {
+    translate(deck);
+  } catch (const InputError& error) {
+    throw with_left_out(error, deck.left_out);
+  }
   TranslatedDeck result;
   result.lines = with_control(deck.cards.lines());
   result.left_out = std::move(deck.left_out);
   result.warnings.push_back(
       "an Abaqus or CalculiX deck, read as bulk data: what is written is bulk "
-      "data;" +
+      "data" +
       ids_of_names(deck.named));
   result.warnings.insert(
       result.warnings.end(), deck.warnings.begin(), deck.warnings.end());

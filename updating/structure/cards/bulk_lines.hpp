@@ -2,7 +2,7 @@
 // brought in at their place, Abaqus and CalculiX decks translated.
 #pragma once
 
-#include "updating/structure/abaqus/inp_deck.hpp"
+#include "updating/structure/abaqus/left_out.hpp"
 #include "updating/structure/cards/line_text.hpp"
 
 #include <filesystem>

@@ -25,7 +25,6 @@ DeckBuilder read_cards(const BulkData& bulk,
                        const std::vector<CardTable>& passes) {
   DeckBuilder builder;
   builder.deck.cards = bulk.lines;
-  builder.deck.warnings = bulk.warnings;
   read_places(builder, bulk.cards);
   for (const CardTable& table : passes) {
     for (const Card& card : bulk.cards) {
@@ -150,6 +149,9 @@ Deck read_deck(const std::filesystem::path& path,
     check_references(deck);
     check_number_scales(deck);
     warn_unattached(bulk, deck);
+    for (std::string& text : bulk.warnings) {
+      deck.warnings.push_back(std::move(text));
+    }
     for (std::string& text : weak_property_warnings(deck)) {
       deck.warnings.push_back(std::move(text));
     }

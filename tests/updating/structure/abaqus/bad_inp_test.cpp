@@ -1,0 +1,223 @@
+// Decks with a fault: the error names what, the line of the .inp, the remedy.
+// And what is not read: refused by its keyword, left out where it is named.
+#include "acquisition/foundation/input_error.hpp"
+#include "tests/updating/support/inp_support.hpp"
+#include "updating/structure/readers/unsupported_cards.hpp"
+
+namespace tapfit::structure {
+namespace {
+
+InputError error_of(const std::string& text,
+                    const std::vector<std::string>& ignored = {}) {
+  try {
+    static_cast<void>(deck_of_inp(text, ignored));
+  } catch (const InputError& error) {
+    return error;
+  }
+  return {"no error", "", ""};
+}
+
+void expect_error(const std::string& text,
+                  const std::string& where,
+                  const std::string& what) {
+  const InputError error = error_of(text);
+  EXPECT_THAT(error.where(), HasSubstr(where)) << text << error.what();
+  EXPECT_THAT(error.fault(), HasSubstr(what)) << text;
+  EXPECT_FALSE(error.remedy().empty()) << text;
+}
+
+// Lines 1 to 9 nodes, 10 and 11 the element, 12 to 16 section and material.
+const std::string brick = one_brick() + brick_section;
+
+TEST(BadInp, IdsAreTakenOrNotDefined) {
+  expect_error(brick + "*NODE\n3, 0., 0., 0.\n",
+               "plate.inp:18",
+               "node 3 is defined already in plate.inp:4");
+  expect_error(brick + "*ELEMENT, TYPE=MASS\n1, 1\n",
+               "plate.inp:18",
+               "element 1 is defined already");
+  expect_error(brick + "*ELEMENT, TYPE=MASS\n2, 99\n",
+               "plate.inp:18",
+               "node 99 is not defined");
+  expect_error(brick + "*BOUNDARY\n99, 1\n", "plate.inp:18", "node 99");
+  expect_error(brick + "*NSET, NSET=A\n1, 99\n", "plate.inp:18", "node 99");
+  expect_error(brick + "*ELSET, ELSET=A\n99\n", "plate.inp:18", "element 99");
+}
+
+TEST(BadInp, NamesAreNotDefined) {
+  expect_error(brick + "*BOUNDARY\nFIX, 1\n",
+               "plate.inp:18",
+               "the node set FIX is not defined");
+  expect_error(
+      one_brick() + "*SOLID SECTION, ELSET=W, MATERIAL=STEEL\n" + steel_inp,
+      "plate.inp:12",
+      "the element set W is not defined");
+  expect_error(one_brick() + "*SOLID SECTION, ELSET=V, MATERIAL=GOLD\n",
+               "plate.inp:12",
+               "the material GOLD is not defined");
+  expect_error(
+      one_brick() + "*SOLID SECTION, ELSET=V, MATERIAL=M\n*MATERIAL, NAME=M\n",
+      "plate.inp:13",
+      "the material M has no *ELASTIC");
+  expect_error(brick + "*TIE, NAME=T\nA, B\n",
+               "plate.inp:18",
+               "the surface A is not defined");
+  expect_error(brick + "*COUPLING, REF NODE=1, SURFACE=A\n*KINEMATIC\n",
+               "plate.inp:17",
+               "its surface is not defined");
+  expect_error(one_shell() +
+                   "*SHELL SECTION, ELSET=P, MATERIAL=STEEL, ORIENTATION=O\n"
+                   ".01\n" +
+                   steel_inp,
+               "plate.inp:8",
+               "the orientation O is not defined");
+}
+
+// A set that names itself names what is not there yet.
+TEST(BadInp, SetsNameEachOther) {
+  expect_error(brick + "*NSET, NSET=A\nB\n*NSET, NSET=B\nA\n",
+               "plate.inp:18",
+               "the node set B is not defined");
+}
+
+TEST(BadInp, ElementHasNoSection) {
+  expect_error(one_brick() + steel_inp,
+               "plate.inp:11",
+               "element 1 (C3D8) has no section");
+  expect_error(brick + "*ELEMENT, TYPE=SPRING1, ELSET=K\n2, 1\n",
+               "plate.inp:18",
+               "element 2 (SPRING1) has no section");
+}
+
+TEST(BadInp, ElementHasTooFewNodes) {
+  expect_error(
+      one_brick().substr(0, one_brick().size() - 4) + "\n" + brick_section,
+      "plate.inp:11",
+      "element 1 has 7 nodes, C3D8 has 8");
+}
+
+TEST(BadInp, NumbersAreNone) {
+  expect_error("*NODE\n1, 0., x1, 0.\n", "plate.inp:2", "a number is needed");
+  expect_error("*NODE\n1, 0., 1e400, 0.\n", "plate.inp:2", "a number");
+  expect_error("*NODE\nA, 0., 0., 0.\n", "plate.inp:2", "an integer is needed");
+  expect_error("*NODE\n-1, 0., 0., 0.\n", "plate.inp:2", "not above zero");
+  expect_error("*NODE\n1, 0., 1e38, 0.\n" + brick_section, "plate.inp", "");
+  expect_error(one_shell() + "*SHELL SECTION, ELSET=P, MATERIAL=STEEL\n-.01\n" +
+                   steel_inp,
+               "plate.inp:9",
+               "the thickness is -0.01");
+  expect_error(one_brick() +
+                   "*SOLID SECTION, ELSET=V, MATERIAL=M\n*MATERIAL, NAME=M\n"
+                   "*ELASTIC\n-1., .3\n",
+               "plate.inp:13",
+               "the modulus -1 of M is not above zero");
+}
+
+TEST(BadInp, FarCoordinateIsRefusedAtItsLine) {
+  std::string text = brick;
+  text.replace(text.find("1., 1., 1."), 2, "1e38");
+  const InputError error = error_of(text);
+  EXPECT_THAT(error.where(), HasSubstr("plate.inp:8 GRID 7"));
+  EXPECT_THAT(error.fault(), HasSubstr("farther away"));
+}
+
+TEST(BadInp, DataLinesAreMissing) {
+  expect_error(
+      one_shell() + "*SHELL SECTION, ELSET=P, MATERIAL=STEEL\n" + steel_inp,
+      "plate.inp:8",
+      "data line 1 (thickness) is missing");
+  expect_error(
+      one_shell() + "*SHELL SECTION, MATERIAL=STEEL\n.01\n" + steel_inp,
+      "plate.inp:8",
+      "it names no ELSET");
+  expect_error(brick + "*EQUATION\n2\n1, 1, 1.\n", "plate.inp:17", "missing");
+  expect_error("*HEADING\nnothing else\n", "plate.inp:1", "has no *NODE");
+}
+
+TEST(BadInp, OptionsThatAreNotRead) {
+  expect_error(one_shell() + "*SHELL GENERAL SECTION, ELSET=P\n1., 2.\n",
+               "plate.inp:8",
+               "stiffness matrix is not read");
+  expect_error(brick +
+                   "*ELEMENT, TYPE=SPRINGA, ELSET=K\n2, 1, 7\n"
+                   "*SPRING, ELSET=K, NONLINEAR\n\n1., 2.\n",
+               "plate.inp:19",
+               "the option NONLINEAR is not read");
+  expect_error(one_brick() + "*SOLID SECTION, ELSET=V, COMPOSITE, MATERIAL=M\n",
+               "plate.inp:12",
+               "layered solids");
+}
+
+TEST(BadInp, FilesThatAreNoDecksAreNotQuoted) {
+  // Empty, binary: neither bulk data nor keywords.
+  expect_error("", "", "no GRID");
+  expect_error(std::string("\x7f"
+                           "ELF\x01\x02\nsecret of it\n"),
+               "",
+               "is no");
+  // Keyword-like beginnings of other files.
+  const InputError error = error_of(
+      "*Secret notes about somebody\nthis is prose, and more of it\n"
+      "nobody shall read this\nnor that, whatever it is\n");
+  EXPECT_THAT(error.fault(), HasSubstr("is no Abaqus or CalculiX deck"));
+  EXPECT_THAT(error.what(), Not(HasSubstr("somebody")));
+}
+
+TEST(BadInp, RefusedUnlessNamed) {
+  const std::string text = brick +
+                           "*CONTACT PAIR, INTERACTION=I\nA, B\n"
+                           "*ELEMENT, TYPE=CPE4, ELSET=Q\n7, 1, 2, 3, 4\n";
+  const InputError error = error_of(text);
+  EXPECT_EQ(error.where(), "plate.inp:18");
+  EXPECT_THAT(error.fault(), HasSubstr("the element type CPE4 (line 20"));
+  EXPECT_THAT(error.fault(), HasSubstr("CONTACT PAIR (line 17, 1 in all)"));
+  EXPECT_THAT(error.remedy(), HasSubstr("--ignore-card"));
+  EXPECT_THAT(error_of(text, {"CPE4"}).remedy(),
+              HasSubstr("--ignore-card CONTACTPAIR"));
+  const Deck deck = deck_of_inp(text, {"contact pair", "CPE4"});
+  EXPECT_TRUE(warns(deck, "CONTACT PAIR (line 17"));
+  EXPECT_EQ(deck.element_count(), 1U);
+}
+
+TEST(BadInp, MultiPointConstraintsThatAreNotRead) {
+  const std::string text = brick + "*MPC\nSTRAIGHT, 1, 2, 3\n";
+  EXPECT_THAT(error_of(text).fault(), HasSubstr("MPC STRAIGHT (line 18"));
+  EXPECT_EQ(error_of(text, {"MPC STRAIGHT"}).fault(), "no error");
+}
+
+TEST(BadInp, SectorsAreRefused) {
+  EXPECT_THAT(error_of(brick + "*TIE, CYCLIC SYMMETRY, NAME=T\nA, B\n").fault(),
+              HasSubstr("TIE (line 17"));
+}
+
+TEST(BadInp, HarmlessOnesAreListedAndUnknownOnesWarnedOf) {
+  const Deck deck = deck_of_inp(
+      brick +
+      "*AMPLITUDE, NAME=A\n0., 1.\n*WHATEVER\n1, 2\n*STEP\n*STATIC\n"
+      "*CLOAD\n1, 1, 5.\n*NODE PRINT\nU\n*END STEP\n");
+  EXPECT_TRUE(warns(deck,
+                    "ignored, for they change nothing of the modes: AMPLITUDE, "
+                    "CLOAD, NODE PRINT"));
+  EXPECT_TRUE(warns(deck, "the keyword *WHATEVER is not known"));
+}
+
+TEST(BadInp, LoadedStatesAreSaidToBeLeftOut) {
+  const std::string steps =
+      "*STEP, NLGEOM\n*STATIC\n*END STEP\n*STEP, PERTURBATION\n*FREQUENCY\n5\n"
+      "*END STEP\n";
+  EXPECT_TRUE(
+      warns(deck_of_inp(brick + steps), "the structure without stress"));
+}
+
+// What is missing may come from what is not read.
+TEST(BadInp, ErrorsNameWhatIsNotRead) {
+  const InputError error =
+      error_of(one_brick() +
+               "*SOLID SECTION, ELSET=V, MATERIAL=R\n*MATERIAL, NAME=R\n"
+               "*HYPERELASTIC\n1., 2.\n");
+  EXPECT_THAT(error.fault(), HasSubstr("has no *ELASTIC"));
+  EXPECT_THAT(error.remedy(), HasSubstr("HYPERELASTIC (line 14"));
+}
+
+}  // namespace
+}  // namespace tapfit::structure
