@@ -164,8 +164,7 @@ void fail_at(const Place& place,
 double number_in(const DataLine& line, std::size_t field, const char* meaning) {
   std::string number = upper(line.text(field));
   std::replace(number.begin(), number.end(), 'D', 'E');
-  std::size_t from = number.starts_with('+') ? 1 : 0;
-  // from_chars takes no plus sign in an exponent either way but "E+5" is fine.
+  const std::size_t from = number.starts_with('+') ? 1 : 0;
   double value = 0.0;
   const char* end = number.data() + number.size();
   const auto [stop, error] = std::from_chars(number.data() + from, end, value);

@@ -101,6 +101,8 @@ std::string lack(const std::string& name) {
       {"LINK", "links are missing"},
       {"PERIODIC", "a periodic constraint is missing"},
       {"MODELCHANGE", "parts are taken out of or put into the model"},
+      {"TRANSVERSESHEARSTIFFNESS",
+       "a section's shear stiffness is another one; leave it to the program"},
       {"INERTIARELIEF", "the structure's support is another one"},
       {"NGEN", "nodes are missing; write them out"},
       {"NFILL", "nodes are missing; write them out"},
@@ -118,40 +120,25 @@ std::string lack(const std::string& name) {
   return found == lacks.end() ? "" : found->second;
 }
 
-bool is_load_or_output(const std::string& name) {
+bool is_output(const std::string& name) {
+  static const Names names{
+      "NODEPRINT",   "NODEFILE",      "NODEOUTPUT",   "ELPRINT",
+      "ELFILE",      "ELEMENTOUTPUT", "OUTPUT",       "HISTORYOUTPUT",
+      "FIELDOUTPUT", "CONTACTOUTPUT", "CONTACTPRINT", "CONTACTFILE",
+      "ENERGYPRINT", "ENERGYOUTPUT",  "ENERGYFILE",   "MODALPRINT",
+      "MODALOUTPUT", "MODALFILE",     "SECTIONPRINT", "SECTIONFILE",
+      "FACEPRINT",   "FILEFORMAT",    "FILEOUTPUT",   "PRINT",
+      "MONITOR",     "RESTART",       "TIMEPOINTS",   "FILTER"};
+  return names.contains(name);
+}
+
+bool is_load_or_analysis(const std::string& name) {
   static const Names names{"CLOAD",
                            "DLOAD",
                            "DSLOAD",
                            "TEMPERATURE",
                            "INITIALCONDITIONS",
-                           "NODEPRINT",
-                           "NODEFILE",
-                           "NODEOUTPUT",
-                           "ELPRINT",
-                           "ELFILE",
-                           "ELEMENTOUTPUT",
-                           "OUTPUT",
-                           "HISTORYOUTPUT",
-                           "FIELDOUTPUT",
-                           "CONTACTOUTPUT",
-                           "CONTACTPRINT",
-                           "CONTACTFILE",
-                           "ENERGYPRINT",
-                           "ENERGYOUTPUT",
-                           "ENERGYFILE",
-                           "MODALPRINT",
-                           "MODALOUTPUT",
-                           "MODALFILE",
-                           "SECTIONPRINT",
-                           "SECTIONFILE",
-                           "FACEPRINT",
-                           "FILEFORMAT",
-                           "FILEOUTPUT",
-                           "PRINT",
-                           "MONITOR",
-                           "RESTART",
                            "AMPLITUDE",
-                           "TIMEPOINTS",
                            "DYNAMIC",
                            "MODALDYNAMIC",
                            "STEADYSTATEDYNAMICS",
@@ -166,7 +153,6 @@ bool is_load_or_output(const std::string& name) {
                            "DESIGNVARIABLES",
                            "DESIGNRESPONSE",
                            "CONSTRAINT",
-                           "FILTER",
                            "SELECTCYCLICSYMMETRYMODES",
                            "BASEMOTION",
                            "RESPONSESPECTRUM",
@@ -196,7 +182,26 @@ bool is_load_or_output(const std::string& name) {
   return names.contains(name);
 }
 
-bool is_of_material_or_contact(const std::string& name) {
+bool is_of_contact(const std::string& name) {
+  static const Names names{"SURFACEINTERACTION",
+                           "SURFACEBEHAVIOR",
+                           "FRICTION",
+                           "CONTACTDAMPING",
+                           "CONTACTINITIALIZATION",
+                           "CLEARANCE",
+                           "GAPCONDUCTANCE",
+                           "CHANGEFRICTION",
+                           "CHANGESURFACEBEHAVIOR",
+                           "CHANGECONTACTTYPE",
+                           "CONTACTPROPERTYASSIGNMENT",
+                           "CONTACTINITIALIZATIONASSIGNMENT",
+                           "CONTACTFORMULATION",
+                           "CONTACTEXCLUSIONS",
+                           "SURFACEPROPERTYASSIGNMENT"};
+  return names.contains(name);
+}
+
+bool is_of_material(const std::string& name) {
   static const Names names{"EXPANSION",
                            "CONDUCTIVITY",
                            "SPECIFICHEAT",
@@ -218,27 +223,10 @@ bool is_of_material_or_contact(const std::string& name) {
                            "FLUIDCONSTANTS",
                            "SPECIFICGASCONSTANT",
                            "PHYSICALCONSTANTS",
-                           "SURFACEINTERACTION",
-                           "SURFACEBEHAVIOR",
-                           "FRICTION",
-                           "CONTACTDAMPING",
-                           "CONTACTINITIALIZATION",
-                           "CLEARANCE",
-                           "GAPCONDUCTANCE",
-                           "CHANGEFRICTION",
-                           "CHANGESURFACEBEHAVIOR",
                            "CHANGEPLASTIC",
-                           "CHANGECONTACTTYPE",
-                           "CONTACTPROPERTYASSIGNMENT",
-                           "CONTACTINITIALIZATIONASSIGNMENT",
-                           "CONTACTFORMULATION",
-                           "CONTACTEXCLUSIONS",
-                           "SURFACEPROPERTYASSIGNMENT",
                            "SECTIONCONTROLS",
-                           "TRANSVERSESHEARSTIFFNESS",
                            "HOURGLASSSTIFFNESS",
                            "SECTIONPOINTS",
-                           "NORMAL",
                            "DISPLAYBODY",
                            "DISTRIBUTIONTABLE",
                            "BRITTLECRACKING",
@@ -247,6 +235,12 @@ bool is_of_material_or_contact(const std::string& name) {
                            "VALUESATINFINITY",
                            "USEROUTPUTVARIABLES"};
   return names.contains(name);
+}
+
+// Changes nothing of the modes.
+bool is_harmless_keyword(const std::string& name) {
+  return is_output(name) || is_load_or_analysis(name) || is_of_contact(name) ||
+         is_of_material(name);
 }
 
 bool solves_for_modes(const Keyword& keyword) {
@@ -294,8 +288,7 @@ void sort_keywords(InpDeck& deck) {
     const std::string why = lack(keyword.name);
     if (!why.empty()) {
       count_left_out(counts, keyword.shown, keyword.place, why);
-    } else if (is_load_or_output(keyword.name) ||
-               is_of_material_or_contact(keyword.name)) {
+    } else if (is_harmless_keyword(keyword.name)) {
       ignored.insert(keyword.shown);
     } else if (!is_read(keyword.name)) {
       unknown.try_emplace(keyword.shown, keyword.place);

@@ -26,27 +26,29 @@ void expect_error(const std::string& text,
   EXPECT_FALSE(error.remedy().empty()) << text;
 }
 
-// Lines 1 to 9 nodes, 10 and 11 the element, 12 to 16 section and material.
-const std::string brick = one_brick() + brick_section;
+// Lines 1 to 9 nodes, 10 and 11 the element, 12 to 17 section and material.
+const std::string whole_brick = one_brick() + brick_section;
 
 TEST(BadInp, IdsAreTakenOrNotDefined) {
-  expect_error(brick + "*NODE\n3, 0., 0., 0.\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*NODE\n3, 0., 0., 0.\n",
+               "plate.inp:19",
                "node 3 is defined already in plate.inp:4");
-  expect_error(brick + "*ELEMENT, TYPE=MASS\n1, 1\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*ELEMENT, TYPE=MASS\n1, 1\n",
+               "plate.inp:19",
                "element 1 is defined already");
-  expect_error(brick + "*ELEMENT, TYPE=MASS\n2, 99\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*ELEMENT, TYPE=MASS\n2, 99\n",
+               "plate.inp:19",
                "node 99 is not defined");
-  expect_error(brick + "*BOUNDARY\n99, 1\n", "plate.inp:18", "node 99");
-  expect_error(brick + "*NSET, NSET=A\n1, 99\n", "plate.inp:18", "node 99");
-  expect_error(brick + "*ELSET, ELSET=A\n99\n", "plate.inp:18", "element 99");
+  expect_error(whole_brick + "*BOUNDARY\n99, 1\n", "plate.inp:19", "node 99");
+  expect_error(
+      whole_brick + "*NSET, NSET=A\n1, 99\n", "plate.inp:19", "node 99");
+  expect_error(
+      whole_brick + "*ELSET, ELSET=A\n99\n", "plate.inp:19", "element 99");
 }
 
 TEST(BadInp, NamesAreNotDefined) {
-  expect_error(brick + "*BOUNDARY\nFIX, 1\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*BOUNDARY\nFIX, 1\n",
+               "plate.inp:19",
                "the node set FIX is not defined");
   expect_error(
       one_brick() + "*SOLID SECTION, ELSET=W, MATERIAL=STEEL\n" + steel_inp,
@@ -59,11 +61,11 @@ TEST(BadInp, NamesAreNotDefined) {
       one_brick() + "*SOLID SECTION, ELSET=V, MATERIAL=M\n*MATERIAL, NAME=M\n",
       "plate.inp:13",
       "the material M has no *ELASTIC");
-  expect_error(brick + "*TIE, NAME=T\nA, B\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*TIE, NAME=T\nA, B\n",
+               "plate.inp:19",
                "the surface A is not defined");
-  expect_error(brick + "*COUPLING, REF NODE=1, SURFACE=A\n*KINEMATIC\n",
-               "plate.inp:17",
+  expect_error(whole_brick + "*COUPLING, REF NODE=1, SURFACE=A\n*KINEMATIC\n",
+               "plate.inp:18",
                "its surface is not defined");
   expect_error(one_shell() +
                    "*SHELL SECTION, ELSET=P, MATERIAL=STEEL, ORIENTATION=O\n"
@@ -75,8 +77,8 @@ TEST(BadInp, NamesAreNotDefined) {
 
 // A set that names itself names what is not there yet.
 TEST(BadInp, SetsNameEachOther) {
-  expect_error(brick + "*NSET, NSET=A\nB\n*NSET, NSET=B\nA\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*NSET, NSET=A\nB\n*NSET, NSET=B\nA\n",
+               "plate.inp:19",
                "the node set B is not defined");
 }
 
@@ -84,8 +86,8 @@ TEST(BadInp, ElementHasNoSection) {
   expect_error(one_brick() + steel_inp,
                "plate.inp:11",
                "element 1 (C3D8) has no section");
-  expect_error(brick + "*ELEMENT, TYPE=SPRING1, ELSET=K\n2, 1\n",
-               "plate.inp:18",
+  expect_error(whole_brick + "*ELEMENT, TYPE=SPRING1, ELSET=K\n2, 1\n",
+               "plate.inp:19",
                "element 2 (SPRING1) has no section");
 }
 
@@ -114,7 +116,7 @@ TEST(BadInp, NumbersAreNone) {
 }
 
 TEST(BadInp, FarCoordinateIsRefusedAtItsLine) {
-  std::string text = brick;
+  std::string text = whole_brick;
   text.replace(text.find("1., 1., 1."), 2, "1e38");
   const InputError error = error_of(text);
   EXPECT_THAT(error.where(), HasSubstr("plate.inp:8 GRID 7"));
@@ -130,7 +132,8 @@ TEST(BadInp, DataLinesAreMissing) {
       one_shell() + "*SHELL SECTION, MATERIAL=STEEL\n.01\n" + steel_inp,
       "plate.inp:8",
       "it names no ELSET");
-  expect_error(brick + "*EQUATION\n2\n1, 1, 1.\n", "plate.inp:17", "missing");
+  expect_error(
+      whole_brick + "*EQUATION\n2\n1, 1, 1.\n", "plate.inp:18", "missing");
   expect_error("*HEADING\nnothing else\n", "plate.inp:1", "has no *NODE");
 }
 
@@ -138,10 +141,10 @@ TEST(BadInp, OptionsThatAreNotRead) {
   expect_error(one_shell() + "*SHELL GENERAL SECTION, ELSET=P\n1., 2.\n",
                "plate.inp:8",
                "stiffness matrix is not read");
-  expect_error(brick +
+  expect_error(whole_brick +
                    "*ELEMENT, TYPE=SPRINGA, ELSET=K\n2, 1, 7\n"
                    "*SPRING, ELSET=K, NONLINEAR\n\n1., 2.\n",
-               "plate.inp:19",
+               "plate.inp:20",
                "the option NONLINEAR is not read");
   expect_error(one_brick() + "*SOLID SECTION, ELSET=V, COMPOSITE, MATERIAL=M\n",
                "plate.inp:12",
@@ -164,35 +167,36 @@ TEST(BadInp, FilesThatAreNoDecksAreNotQuoted) {
 }
 
 TEST(BadInp, RefusedUnlessNamed) {
-  const std::string text = brick +
+  const std::string text = whole_brick +
                            "*CONTACT PAIR, INTERACTION=I\nA, B\n"
                            "*ELEMENT, TYPE=CPE4, ELSET=Q\n7, 1, 2, 3, 4\n";
   const InputError error = error_of(text);
   EXPECT_EQ(error.where(), "plate.inp:18");
-  EXPECT_THAT(error.fault(), HasSubstr("the element type CPE4 (line 20"));
-  EXPECT_THAT(error.fault(), HasSubstr("CONTACT PAIR (line 17, 1 in all)"));
+  EXPECT_THAT(error.fault(), HasSubstr("CPE4 (line 21"));
+  EXPECT_THAT(error.fault(), HasSubstr("CONTACT PAIR (line 18, 1 in all)"));
   EXPECT_THAT(error.remedy(), HasSubstr("--ignore-card"));
   EXPECT_THAT(error_of(text, {"CPE4"}).remedy(),
               HasSubstr("--ignore-card CONTACTPAIR"));
   const Deck deck = deck_of_inp(text, {"contact pair", "CPE4"});
-  EXPECT_TRUE(warns(deck, "CONTACT PAIR (line 17"));
+  EXPECT_TRUE(warns(deck, "CONTACT PAIR (line 18"));
   EXPECT_EQ(deck.element_count(), 1U);
 }
 
 TEST(BadInp, MultiPointConstraintsThatAreNotRead) {
-  const std::string text = brick + "*MPC\nSTRAIGHT, 1, 2, 3\n";
-  EXPECT_THAT(error_of(text).fault(), HasSubstr("MPC STRAIGHT (line 18"));
+  const std::string text = whole_brick + "*MPC\nSTRAIGHT, 1, 2, 3\n";
+  EXPECT_THAT(error_of(text).fault(), HasSubstr("MPC STRAIGHT (line 19"));
   EXPECT_EQ(error_of(text, {"MPC STRAIGHT"}).fault(), "no error");
 }
 
 TEST(BadInp, SectorsAreRefused) {
-  EXPECT_THAT(error_of(brick + "*TIE, CYCLIC SYMMETRY, NAME=T\nA, B\n").fault(),
-              HasSubstr("TIE (line 17"));
+  EXPECT_THAT(
+      error_of(whole_brick + "*TIE, CYCLIC SYMMETRY, NAME=T\nA, B\n").fault(),
+      HasSubstr("TIE (line 18"));
 }
 
 TEST(BadInp, HarmlessOnesAreListedAndUnknownOnesWarnedOf) {
   const Deck deck = deck_of_inp(
-      brick +
+      whole_brick +
       "*AMPLITUDE, NAME=A\n0., 1.\n*WHATEVER\n1, 2\n*STEP\n*STATIC\n"
       "*CLOAD\n1, 1, 5.\n*NODE PRINT\nU\n*END STEP\n");
   EXPECT_TRUE(warns(deck,
@@ -206,7 +210,7 @@ TEST(BadInp, LoadedStatesAreSaidToBeLeftOut) {
       "*STEP, NLGEOM\n*STATIC\n*END STEP\n*STEP, PERTURBATION\n*FREQUENCY\n5\n"
       "*END STEP\n";
   EXPECT_TRUE(
-      warns(deck_of_inp(brick + steps), "the structure without stress"));
+      warns(deck_of_inp(whole_brick + steps), "the structure without stress"));
 }
 
 // What is missing may come from what is not read.

@@ -19,11 +19,11 @@ std::set<char> digits(const std::string& text) {
   return {text.begin(), text.end()};
 }
 
-const std::string brick = one_brick() + brick_section;
+const std::string held_brick = one_brick() + brick_section;
 
 TEST(InpConstraints, RangesNamesAndSets) {
   const auto all = held(deck_of_inp(
-      brick +
+      held_brick +
       "*NSET, NSET=LOW, GENERATE\n1, 3\n*NSET, NSET=MORE\nLOW, 8\n"
       "*BOUNDARY\nMORE, 1, 2\n4, 3\n5, ENCASTRE\n6, PINNED\n7, XSYMM\n"));
   EXPECT_EQ(all.at(1), digits("12"));
@@ -39,14 +39,14 @@ TEST(InpConstraints, StepsUpToTheModesCount) {
       "*BOUNDARY\n1, 1, 3\n*STEP\n*STATIC\n*BOUNDARY\n2, 1\n*END STEP\n"
       "*STEP\n*FREQUENCY\n5\n*BOUNDARY\n3, 2\n*END STEP\n"
       "*STEP\n*STATIC\n*BOUNDARY\n4, 3\n*END STEP\n";
-  const auto all = held(deck_of_inp(brick + steps));
+  const auto all = held(deck_of_inp(held_brick + steps));
   EXPECT_EQ(all.size(), 3U);
   EXPECT_EQ(all.at(3), digits("2"));
 }
 
 TEST(InpConstraints, NewTakesBackWhatWasHeld) {
   const auto all = held(deck_of_inp(
-      brick +
+      held_brick +
       "*BOUNDARY\n1, 1, 3\n*STEP\n*FREQUENCY\n5\n*BOUNDARY, OP=NEW\n3, 2\n"
       "*BOUNDARY, OP=NEW\n4, 1\n*END STEP\n"));
   EXPECT_EQ(all.size(), 2U);
@@ -54,7 +54,7 @@ TEST(InpConstraints, NewTakesBackWhatWasHeld) {
 }
 
 TEST(InpConstraints, GivenDisplacementIsSaidToBeZero) {
-  EXPECT_TRUE(warns(deck_of_inp(brick + "*BOUNDARY\n1, 1, 1, 0.5\n"),
+  EXPECT_TRUE(warns(deck_of_inp(held_brick + "*BOUNDARY\n1, 1, 1, 0.5\n"),
                     "is taken as zero"));
 }
 
@@ -62,22 +62,22 @@ TEST(InpConstraints, MultiPointConstraintsByName) {
   const std::string more =
       "*NODE\n11, 0., 0., 0.\n12, 2., 0., 0.\n"
       "*ELEMENT, TYPE=MASS, ELSET=M\n11, 11\n12, 12\n*MASS, ELSET=M\n1.\n";
-  const Deck beam = deck_of_inp(brick + more + "*MPC\nBEAM, 12, 2\n");
+  const Deck beam = deck_of_inp(held_brick + more + "*MPC\nBEAM, 12, 2\n");
   ASSERT_EQ(beam.rigids.size(), 1U);
   EXPECT_EQ(beam.rigids[0].independent, 2);
   EXPECT_EQ(beam.rigids[0].dependents[0].grid, 12);
-  const Deck pin = deck_of_inp(brick + more + "*MPC\nPIN, 11, 1\n");
+  const Deck pin = deck_of_inp(held_brick + more + "*MPC\nPIN, 11, 1\n");
   EXPECT_EQ(pin.relations.size(), 3U);
   EXPECT_EQ(pin.relations[2].grid, 11);
   EXPECT_EQ(pin.relations[2].terms[0].grid, 1);
   EXPECT_EQ(pin.relations[2].terms[0].factor, 1.0);
-  const Deck tie = deck_of_inp(brick + more + "*MPC\nTIE, 11, 1\n");
+  const Deck tie = deck_of_inp(held_brick + more + "*MPC\nTIE, 11, 1\n");
   EXPECT_EQ(tie.relations.size(), 6U);
 }
 
 TEST(InpConstraints, EquationOfSetsIsOneForEachNode) {
   const Deck deck =
-      deck_of_inp(brick +
+      deck_of_inp(held_brick +
                   "*NSET, NSET=A\n1, 2\n*NSET, NSET=B\n5, 6\n"
                   "*EQUATION\n3\nA, 1, 2., B, 1, -1.,\n8, 2, 4.\n");
   ASSERT_EQ(deck.relations.size(), 2U);
@@ -89,7 +89,7 @@ TEST(InpConstraints, EquationOfSetsIsOneForEachNode) {
 }
 
 TEST(InpConstraints, RigidBodyWithoutReferenceGetsItsMiddle) {
-  const Deck deck = deck_of_inp(brick + "*RIGID BODY, ELSET=V\n");
+  const Deck deck = deck_of_inp(held_brick + "*RIGID BODY, ELSET=V\n");
   ASSERT_EQ(deck.rigids.size(), 1U);
   EXPECT_EQ(deck.rigids[0].dependents.size(), 8U);
   EXPECT_LT((deck.grid(deck.rigids[0].independent).position -
