@@ -133,6 +133,7 @@ void add_left_out(InpDeck& deck, const LeftOutCounts& counts);
 void flatten_assembly(InpDeck& deck);
 
 /// Names what is not read, in `left_out` and `warnings`; finds `last_step`.
+/// @throws InputError for an *INCLUDE that names no file
 void sort_keywords(InpDeck& deck);
 
 void read_inp_nodes(InpDeck& deck);

@@ -285,6 +285,10 @@ void sort_keywords(InpDeck& deck) {
   Names ignored;
   std::map<std::string, Place> unknown;
   for (const Keyword& keyword : deck.keywords) {
+    // Those that name a file have been inlined.
+    if (keyword.name == "INCLUDE") {
+      keyword.fail("it names no file", "Write *INCLUDE, INPUT=file.");
+    }
     const std::string why = lack(keyword.name);
     if (!why.empty()) {
       count_left_out(counts, keyword.shown, keyword.place, why);

@@ -54,6 +54,12 @@ TEST(InpFiles, CirclesAndMissingFilesAreRefused) {
               Refuses("d.inp:1: cannot open the model"));
 }
 
+TEST(InpFiles, IncludeWithoutAFileIsRefused) {
+  const fs::path path = write_text("f.inp", "*NODE\n1, 0.\n*INCLUDE, FILE=a\n");
+  EXPECT_THAT([&] { static_cast<void>(read_deck(path)); },
+              Refuses("f.inp:3 *INCLUDE: it names no file"));
+}
+
 TEST(InpFiles, OtherFilesAreNotQuoted) {
   write_text("passwords", "root:x:0:0:root:/root:/bin/sh\nme:secret:1\n");
   const fs::path path = write_text("e.inp", "*INCLUDE, INPUT=passwords\n");
