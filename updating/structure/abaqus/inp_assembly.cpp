@@ -55,8 +55,8 @@ int largest_id(const std::vector<Keyword>& keywords, const std::string& name) {
 
 void raise(std::string& field, int by) {
   const std::optional<int> id = integer_of(field);
-  constexpr int most = 1000000000;
-  if (id && *id < most - by) field = fmt::format("{}", *id + by);
+  if (id && by <= largest_inp_id && *id <= largest_inp_id - by)
+    field = fmt::format("{}", *id + by);
 }
 
 struct Raised {

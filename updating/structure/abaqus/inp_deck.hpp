@@ -19,6 +19,9 @@
 
 namespace tapfit::structure {
 
+/// Of nodes and elements; ids of what is added lie above those of the deck.
+inline constexpr int largest_inp_id = 999999999;
+
 struct InpNode {
   int id = 0;
   Eigen::Vector3d at = Eigen::Vector3d::Zero();

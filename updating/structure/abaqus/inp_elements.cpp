@@ -64,10 +64,11 @@ void check_nodes(InpDeck& deck, InpElement& e) {
 }
 
 void add_element(InpDeck& deck, InpElement e, const std::string& set) {
-  if (e.id <= 0) {
-    fail_at(e.place,
-            fmt::format("the element id {} is not above zero", e.id),
-            "Correct the id.");
+  if (e.id <= 0 || e.id > largest_inp_id) {
+    fail_at(
+        e.place,
+        fmt::format("the element id {} is not above zero, or too large", e.id),
+        "Correct the id.");
   }
   const auto [known, fresh] =
       deck.element_index.try_emplace(e.id, deck.elements.size());

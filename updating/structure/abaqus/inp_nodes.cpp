@@ -85,10 +85,11 @@ void read_inp_nodes(InpDeck& deck) {
     if (!set.empty()) deck.node_sets[set];
     for (const DataLine& line : keyword->lines) {
       const int id = integer_in(line, 0, "node");
-      if (id <= 0) {
-        fail_at(line.place,
-                fmt::format("the node id {} is not above zero", id),
-                "Correct the id.");
+      if (id <= 0 || id > largest_inp_id) {
+        fail_at(
+            line.place,
+            fmt::format("the node id {} is not above zero, or too large", id),
+            "Correct the id.");
       }
       const auto [known, fresh] =
           deck.node_index.try_emplace(id, deck.nodes.size());

@@ -17,10 +17,10 @@ void generate(const DataLine& line, const Index& known, std::vector<int>& set) {
   const int last =
       line.text(1).empty() ? first : integer_in(line, 1, "last id");
   const int step = line.text(2).empty() ? 1 : integer_in(line, 2, "step");
-  if (step < 1 || last < first) {
+  if (first < 1 || step < 1 || last < first) {
     fail_at(line.place,
             fmt::format("{} to {} by {} names nothing", first, last, step),
-            "Give the smaller id first and a step above zero.");
+            "Give the smaller id first; ids and steps are above zero.");
   }
   // Ranges may run far over what is there.
   if ((last - first) / step < 2 * static_cast<long>(known.size())) {

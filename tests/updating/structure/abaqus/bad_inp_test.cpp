@@ -103,6 +103,11 @@ TEST(BadInp, NumbersAreNone) {
   expect_error("*NODE\n1, 0., 1e400, 0.\n", "plate.inp:2", "a number");
   expect_error("*NODE\nA, 0., 0., 0.\n", "plate.inp:2", "an integer is needed");
   expect_error("*NODE\n-1, 0., 0., 0.\n", "plate.inp:2", "not above zero");
+  expect_error("*NODE\n2147483647, 0.\n", "plate.inp:2", "too large");
+  expect_error(
+      whole_brick + "*NSET, NSET=A, GENERATE\n-2000000000, 2000000000\n",
+      "plate.inp:19",
+      "names nothing");
   expect_error("*NODE\n1, 0., 1e38, 0.\n" + brick_section, "plate.inp", "");
   expect_error(one_shell() + "*SHELL SECTION, ELSET=P, MATERIAL=STEEL\n-.01\n" +
                    steel_inp,
