@@ -32,6 +32,7 @@ struct ShellSection {
   double offset = 0.0;      // of the middle below the nodes, in thicknesses
   std::string orientation;  // "" none
   bool directed = false;    // its material has directions
+  bool nodal = false;       // *NODAL THICKNESS counts
 };
 
 std::vector<std::size_t> members(const InpDeck& deck,
@@ -129,7 +130,7 @@ void write_shell(InpDeck& deck, const InpElement& e, const ShellSection& own) {
   double mean = 0.0;
   for (std::size_t k = 0; k < e.type->corners; ++k) {
     const auto given = deck.thickness_of_node.find(e.nodes[k]);
-    const bool there = given != deck.thickness_of_node.end();
+    const bool there = own.nodal && given != deck.thickness_of_node.end();
     const double t = there ? given->second : own.thickness;
     mean += t / static_cast<double>(e.type->corners);
     if (there) fields[at.thickness + k] = real_field(t);
@@ -217,12 +218,25 @@ void write_composite(InpDeck& deck,
   own.offset = 0.0;  // Z0 has it
 }
 
+// Of the data line; without one, where nodes have thicknesses, the first's.
+double thickness_of(const InpDeck& deck,
+                    const Keyword& keyword,
+                    const std::vector<std::size_t>& elements) {
+  if (keyword.has("NODALTHICKNESS") && keyword.lines.empty() &&
+      !elements.empty()) {
+    const int node = deck.elements[elements.front()].nodes.front();
+    const auto given = deck.thickness_of_node.find(node);
+    if (given != deck.thickness_of_node.end()) return given->second;
+  }
+  return thickness_in(keyword.line(0, "thickness"), 0);
+}
+
 void write_plain(InpDeck& deck,
                  const Keyword& keyword,
                  const std::vector<std::size_t>& elements,
                  ShellSection& own) {
   const std::string name = keyword.needed_option("MATERIAL");
-  own.thickness = thickness_in(keyword.line(0, "thickness"), 0);
+  own.thickness = thickness_of(deck, keyword, elements);
   own.directed = !is_isotropic(deck, name, keyword.place);
   const bool membrane = keyword.name == "MEMBRANESECTION";
   const std::string material =
@@ -244,6 +258,13 @@ void write_shell_section(InpDeck& deck, const Keyword& keyword) {
       deck, keyword, {membrane ? InpFamily::Membrane : InpFamily::Shell});
   ShellSection own;
   own.offset = offset_of(keyword);
+  own.nodal = keyword.has("NODALTHICKNESS");
+  if (!own.nodal && !deck.thickness_of_node.empty()) {
+    say(deck,
+        keyword.place.where +
+            ": *NODAL THICKNESS counts only where the section has the option "
+            "NODAL THICKNESS, as in Abaqus and CalculiX");
+  }
   own.orientation = keyword.option("ORIENTATION");
   if (!own.orientation.empty()) {
     static_cast<void>(orientation_of(deck, own.orientation, keyword.place));

@@ -135,11 +135,19 @@ TEST(InpShells, OffsetPutsTheMiddleBelowTheNodes) {
   }
 }
 
-TEST(InpShells, NodalThicknessTakesTheSections) {
-  const Deck deck = deck_of_inp(
-      one_shell() + "*SHELL SECTION, ELSET=P, MATERIAL=STEEL\n.01\n" +
-      steel_inp + "*NODAL THICKNESS\n1, .02\n2, .02\n");
-  EXPECT_NEAR(deck.shells[0].thickness, 0.015, 1e-15);
+// Without the option ccx 2.20 passes over it (its example shellf).
+TEST(InpShells, NodalThicknessCountsWhereTheSectionSaysSo) {
+  const std::string nodal = steel_inp + "*NODAL THICKNESS\n1, .02\n2, .02\n";
+  const std::string section = "*SHELL SECTION, ELSET=P, MATERIAL=STEEL";
+  const Deck with =
+      deck_of_inp(one_shell() + section + ", NODAL THICKNESS\n.01\n" + nodal);
+  EXPECT_NEAR(with.shells[0].thickness, 0.015, 1e-15);
+  const Deck without = deck_of_inp(one_shell() + section + "\n.01\n" + nodal);
+  EXPECT_EQ(without.shells[0].thickness, 0.0);
+  EXPECT_TRUE(warns(without, "NODAL THICKNESS counts only where"));
+  const Deck alone =
+      deck_of_inp(one_shell() + section + ", NODAL THICKNESS\n" + nodal);
+  EXPECT_EQ(alone.shell_properties.begin()->second.thickness, 0.02);
 }
 
 // The axis of the turn is upright, the next one is direction 1.
