@@ -1,12 +1,9 @@
-// *BEAM SECTION and *BEAM GENERAL SECTION: PBEAM and CBEAM. A beam with a node
-// in its middle becomes two.
+// *BEAM SECTION and *BEAM GENERAL SECTION: PBEAML or PBEAM, and CBEAM. A beam
+// with a node in its middle becomes two.
 #include "updating/structure/abaqus/beam_shapes.hpp"
 #include "updating/structure/abaqus/inp_deck.hpp"
 
 #include <Eigen/Geometry>
-#include <fmt/format.h>
-
-#include <array>
 
 namespace tapfit::structure {
 namespace {
@@ -14,84 +11,53 @@ namespace {
 struct BeamSection {
   BeamShape shape;
   Eigen::Vector3d n1{0.0, 0.0, -1.0};  // where none is given
-  std::array<double, 2> off{};         // its axis from the nodes, along n1, n2
 };
 
 // E, G of *BEAM GENERAL SECTION without MATERIAL.
 int own_material(InpDeck& deck, const Keyword& keyword) {
   const DataLine& line = keyword.line(2, "E, G");
-  const double E = number_in(line, 0, "E");
-  const double G = number_in(line, 1, "G");
-  const DataLine density{{keyword.option("DENSITY")}, keyword.place, false};
   const int id = deck.next_material++;
-  const std::string set = keyword.option("ELSET");
-  deck.cards.comment(fmt::format("MAT1 {}: section of {}", id, set),
-                     line.place);
+  deck.name_card(
+      "MAT1", id, "the material of " + keyword.option("ELSET"), line.place);
   deck.cards.card(line.place,
                   "MAT1",
-                  {fmt::format("{}", id),
-                   real_field(E),
-                   real_field(G),
+                  {id,
+                   number_in(line, 0, "E"),
+                   number_in(line, 1, "G"),
                    "",
-                   real_field(number_or(density, 0, 0.0, "DENSITY"))});
-  deck.named.push_back(fmt::format("MAT1 {} is the material of {}", id, set));
+                   keyword.option_number("DENSITY")});
   return id;
 }
 
-// What OFFSET1 and OFFSET2 say, in sizes of the section.
-double shift(const Keyword& keyword, const char* option) {
-  const DataLine line{{keyword.option(option)}, keyword.place, false};
-  return number_or(line, 0, 0.0, option);
-}
-
-BeamSection section_of_beams(const Keyword& keyword) {
-  const bool general = keyword.name == "BEAMGENERALSECTION";
-  std::string type = keyword.option("SECTION");
-  if (type.empty() && general) type = "GENERAL";
-  if (type.empty()) static_cast<void>(keyword.needed_option("SECTION"));
-  BeamSection own;
-  own.shape = beam_shape(type, keyword.line(0, "dimensions"));
-  own.off = {
-      own.shape.centroid[0] - shift(keyword, "OFFSET1") * own.shape.size[0],
-      own.shape.centroid[1] - shift(keyword, "OFFSET2") * own.shape.size[1]};
+// OFFSET1 and OFFSET2 are in sizes of the section.
+BeamSection section_of(const Keyword& keyword) {
+  const bool general =
+      keyword.name == "BEAMGENERALSECTION" && !keyword.has("SECTION");
+  const std::string type =
+      general ? "GENERAL" : keyword.needed_option("SECTION");
+  BeamSection own{beam_shape(type, keyword.line(0, "dimensions"))};
+  const Eigen::Vector2d offset(keyword.option_number("OFFSET1"),
+                               keyword.option_number("OFFSET2"));
+  own.shape.axis -= offset.cwiseProduct(own.shape.size);
   if (keyword.lines.size() > 1) {
-    const DataLine& line = keyword.lines[1];
-    const Eigen::Vector3d n1(number_or(line, 0, 0.0, "n1"),
-                             number_or(line, 1, 0.0, "n1"),
-                             number_or(line, 2, 0.0, "n1"));
+    const Eigen::Vector3d n1 = vector_in(keyword.lines[1], 0, "n1");
     if (n1.norm() > 0.0) own.n1 = n1;
   }
   return own;
 }
 
-void write_property(InpDeck& deck,
-                    const Keyword& keyword,
-                    int id,
-                    int material,
-                    const BeamShape& s) {
-  std::vector<std::string> fields{fmt::format("{}", id),
-                                  fmt::format("{}", material)};
-  for (const double value : {s.area, s.I1, s.I2, s.I12, s.J}) {
-    fields.push_back(real_field(value));
-  }
-  fields.resize(16);
-  fields.push_back(real_field(s.K1));
-  fields.push_back(real_field(s.K2));
-  deck.cards.card(keyword.place, "PBEAM", fields);
-}
-
-void write_bar(InpDeck& deck,
-               const InpElement& e,
-               const std::array<int, 3>& id_and_ends,
-               const BeamSection& own) {
-  Eigen::Vector3d n1 = own.n1;
-  const Eigen::Vector3d a = deck.node(id_and_ends[1], e.place).at;
-  if (e.nodes.size() > e.type->nodes) {
-    n1 = deck.node(e.nodes.back(), e.place).at - a;
-  }
-  const Eigen::Vector3d along = deck.node(id_and_ends[2], e.place).at - a;
+// n1 of an element along t, from the node behind its own if there is one.
+Eigen::Vector3d direction_1(const InpDeck& deck,
+                            const InpElement& e,
+                            const Eigen::Vector3d& t,
+                            const BeamSection& own) {
+  const bool named = e.nodes.size() > e.type->nodes;
+  const Eigen::Vector3d n1 =
+      named ? Eigen::Vector3d(deck.node(e.nodes.back(), e.place).at -
+                              deck.node(e.nodes.front(), e.place).at)
+            : own.n1;
   constexpr double least = 1e-6;  // sine of the angle between them
-  if (!(along.cross(n1).norm() > least * along.norm() * n1.norm())) {
+  if (!(t.cross(n1).norm() > least * t.norm() * n1.norm())) {
     fail_at(e.place,
             fmt::format("element {}: its direction 1 ({:g}, {:g}, {:g}) lies "
                         "along the beam, or the beam has no length",
@@ -102,61 +68,66 @@ void write_bar(InpDeck& deck,
             "Give another direction in the line below the dimensions of the "
             "section.");
   }
-  std::vector<std::string> fields{fmt::format("{}", id_and_ends[0]),
-                                  fmt::format("{}", e.property),
-                                  fmt::format("{}", id_and_ends[1]),
-                                  fmt::format("{}", id_and_ends[2]),
-                                  real_field(n1.x()),
-                                  real_field(n1.y()),
-                                  real_field(n1.z())};
-  const bool off = own.off[0] != 0.0 || own.off[1] != 0.0;
+  return n1;
+}
+
+// A bar from one node of the element to the next, by its place in the line.
+void write_bar(InpDeck& deck,
+               const InpElement& e,
+               int id,
+               std::size_t from,
+               const BeamSection& own) {
+  const Eigen::Vector3d t = deck.node(e.nodes[from + 1], e.place).at -
+                            deck.node(e.nodes[from], e.place).at;
+  const Eigen::Vector3d n1 = direction_1(deck, e, t, own);
+  const Eigen::Vector2d& axis = own.shape.axis;
+  CardFields fields{id, e.property, e.nodes[from], e.nodes[from + 1]};
+  add_vector(fields, own.shape.upright ? t.normalized().cross(n1) : n1);
+  const bool off = !axis.isZero(0.0);
   fields.emplace_back(off ? "BOO" : "BGG");
   if (off) {
     fields.resize(10);
     for (int end = 0; end < 2; ++end) {
       fields.emplace_back();
-      fields.push_back(real_field(own.off[0]));
-      fields.push_back(real_field(own.off[1]));
+      fields.emplace_back(own.shape.upright ? axis.y() : axis.x());
+      fields.emplace_back(own.shape.upright ? -axis.x() : axis.y());
     }
   }
   deck.cards.card(e.place, "CBEAM", fields);
 }
 
-void write_section(InpDeck& deck, const Keyword& keyword) {
-  const std::string set = keyword.needed_option("ELSET");
-  const bool own_moduli =
+void write_beam_section(InpDeck& deck, const Keyword& keyword) {
+  const BeamSection own = section_of(keyword);
+  const bool moduli =
       keyword.name == "BEAMGENERALSECTION" && !keyword.has("MATERIAL");
-  const BeamSection own = section_of_beams(keyword);
   const int material =
-      own_moduli
+      moduli
           ? own_material(deck, keyword)
           : material_card(
                 deck, keyword.needed_option("MATERIAL"), "MAT1", keyword.place);
-  const int id = deck.next_property++;
-  deck.cards.comment(fmt::format("PBEAM {}: *{} of {}", id, keyword.shown, set),
-                     keyword.place);
-  deck.named.push_back(fmt::format("PBEAM {} is {}", id, set));
-  write_property(deck, keyword, id, material, own.shape);
-  for (const std::size_t k : deck.elements_of(set, keyword.place)) {
-    InpElement& e = deck.elements[k];
-    if (e.type == nullptr || e.type->family != InpFamily::Beam) continue;
-    e.property = id;
-    if (e.type->nodes == 2) {
-      write_bar(deck, e, {e.id, e.nodes[0], e.nodes[1]}, own);
-      continue;
-    }
-    write_bar(deck, e, {e.id, e.nodes[0], e.nodes[1]}, own);
-    write_bar(deck, e, {deck.next_element++, e.nodes[1], e.nodes[2]}, own);
+  const auto elements = section_elements(deck, keyword, {InpFamily::Beam});
+  const std::string card = own.shape.type.empty() ? "PBEAM" : "PBEAML";
+  const int id = take_elements(deck, keyword, elements, card);
+  CardFields fields{id, material};
+  if (card == "PBEAML") {
+    fields.insert(fields.end(), {"", own.shape.type, "", "", "", ""});
+  }
+  fields.insert(
+      fields.end(), own.shape.numbers.begin(), own.shape.numbers.end());
+  deck.cards.card(keyword.lines.front().place, card, fields);
+  for (const std::size_t k : elements) {
+    const InpElement& e = deck.elements[k];
+    write_bar(deck, e, e.id, 0, own);
+    if (e.type->nodes == 3) write_bar(deck, e, deck.next_element++, 1, own);
   }
 }
 
 }  // namespace
 
 void write_beam_sections(InpDeck& deck) {
-  for (const Keyword& keyword : deck.keywords) {
-    if (keyword.step != 0) break;
-    if (keyword.name == "BEAMSECTION" || keyword.name == "BEAMGENERALSECTION") {
-      write_section(deck, keyword);
+  for (const char* name : {"BEAMSECTION", "BEAMGENERALSECTION"}) {
+    for (const Keyword* keyword : deck.of(name)) {
+      write_beam_section(deck, *keyword);
     }
   }
 }

@@ -5,8 +5,6 @@
 // Quick Reference Guide, CHEXA, CPENTA, CTETRA, CPYRAM, CQUAD8, CTRIA6.
 #pragma once
 
-#include <array>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,8 +27,10 @@ struct InpType {
   std::size_t nodes;    ///< on its data lines
   std::size_t corners;  ///< the first ones
   const char* card;     ///< of bulk data
-  /// For each grid of the card from the first on, which node it is (from 0).
-  std::vector<std::size_t> order;
+  const char* names;    ///< of the types, between blanks: "C3D8 C3D8R"
+
+  /// Which node (from 0) the card's grid `k` (from 0) is.
+  [[nodiscard]] std::size_t node_of_grid(std::size_t k) const;
 };
 
 /// @param name in capitals, "C3D8R"

@@ -5,23 +5,25 @@
 // Source: Abaqus Analysis User's Guide, "Defining an assembly".
 #include "updating/structure/abaqus/inp_deck.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
-#include <set>
 
 namespace tapfit::structure {
 namespace {
 
+[[noreturn]] void refuse_assembly(const Keyword& keyword,
+                                  const std::string& what) {
+  keyword.fail(what,
+               "Write the deck flat, without parts and assemblies (in "
+               "Abaqus/CAE: the model attribute \"Do not use parts and "
+               "assemblies in input files\").");
+}
+
 void refuse_moved(const Keyword& instance) {
   for (const DataLine& line : instance.lines) {
     for (std::size_t k = 0; k < line.fields.size(); ++k) {
-      if (number_or(line, k, 0.0, "move") == 0.0) continue;
-      instance.fail("the instance is moved or turned",
-                    "Write the deck flat, without parts and assemblies (in "
-                    "Abaqus/CAE: the model attribute \"Do not use parts and "
-                    "assemblies in input files\").");
+      if (number_or(line, k, 0.0, "move") != 0.0) {
+        refuse_assembly(instance, "the instance is moved or turned");
+      }
     }
   }
 }
@@ -31,12 +33,7 @@ void refuse_second(const std::vector<Keyword>& keywords,
   bool seen = false;
   for (const Keyword& keyword : keywords) {
     if (keyword.name != name) continue;
-    if (seen) {
-      keyword.fail("the deck has more than one of these",
-                   "Write the deck flat, without parts and assemblies (in "
-                   "Abaqus/CAE: the model attribute \"Do not use parts and "
-                   "assemblies in input files\").");
-    }
+    if (seen) refuse_assembly(keyword, "the deck has more than one of these");
     seen = true;
   }
 }
@@ -55,8 +52,9 @@ int largest_id(const std::vector<Keyword>& keywords, const std::string& name) {
 
 void raise(std::string& field, int by) {
   const std::optional<int> id = integer_of(field);
-  if (id && by <= largest_inp_id && *id <= largest_inp_id - by)
+  if (id && by <= largest_inp_id && *id <= largest_inp_id - by) {
     field = fmt::format("{}", *id + by);
+  }
 }
 
 struct Raised {

@@ -3,16 +3,16 @@
 // order of dependence.
 #pragma once
 
+#include "acquisition/foundation/trimmed_text.hpp"
 #include "updating/structure/abaqus/card_lines.hpp"
 #include "updating/structure/abaqus/element_types.hpp"
 #include "updating/structure/abaqus/keyword_block.hpp"
 #include "updating/structure/abaqus/left_out.hpp"
 
 #include <Eigen/Core>
+#include <fmt/format.h>
 
 #include <map>
-#include <optional>
-#include <set>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -35,14 +35,16 @@ struct InpElement {
   std::vector<int> nodes;  ///< as written
   Place place;
   int property = 0;  ///< 0: no section yet
+
+  [[nodiscard]] bool is(InpFamily family) const {
+    return type != nullptr && type->family == family;
+  }
 };
 
 /// Faces of elements, or nodes.
 struct InpSurface {
   std::vector<std::vector<int>> faces;  ///< corners, then middles of sides
-  std::vector<std::size_t> corners;     ///< of each face
-  std::vector<int> nodes;               ///< all, each once
-  bool of_shells = false;               ///< its nodes turn
+  std::vector<int> nodes;               ///< all, each once, in order
 };
 
 /// *ORIENTATION.
@@ -59,16 +61,20 @@ struct InpOrientation {
 
 /// *MATERIAL.
 struct InpMaterial {
-  std::string name;
   Place place;
   /// "" none, else ISOTROPIC, ORTHOTROPIC, ENGINEERINGCONSTANTS, LAMINA,
   /// ANISOTROPIC.
   std::string type;
   std::vector<double> moduli;
   double density = 0.0;
-  int plain = 0;  ///< id of its MAT1, 0: not written yet
-  int layer = 0;  ///< of its MAT8
-  int solid = 0;  ///< of its MAT9
+  std::map<std::string, int> ids;  ///< of its MAT1, MAT8, MAT9, once written
+};
+
+/// What of one name is not read.
+struct LeftOutCount {
+  Place place;  ///< of the first
+  int count = 0;
+  std::string consequence;
 };
 
 struct InpDeck {
@@ -82,7 +88,7 @@ struct InpDeck {
   std::map<std::string, std::vector<int>> element_sets;
   std::map<std::string, InpSurface> surfaces;
   std::map<std::string, InpOrientation> orientations;
-  std::vector<InpMaterial> materials;
+  std::map<std::string, InpMaterial> materials;
   std::unordered_map<int, int> system_of_node;  ///< *TRANSFORM
   std::unordered_map<int, double> thickness_of_node;
   /// *RIGID BODY: the degrees of freedom 1 to 3 of this node are 4 to 6 of
@@ -91,7 +97,7 @@ struct InpDeck {
   CardLines cards;
   std::vector<std::string> named;     ///< "MAT1 1 is STEEL"
   std::vector<std::string> warnings;  ///< what else is to be said
-  std::vector<LeftOut> left_out;
+  std::map<std::string, LeftOutCount> left_out;
   int next_element = 1;
   int next_grid = 1;
   int next_property = 1;
@@ -101,35 +107,56 @@ struct InpDeck {
   /// @throws InputError where the node is not defined
   [[nodiscard]] const InpNode& node(int id, const Place& asks) const;
 
-  /// The nodes of a set, or one by its id.
-  /// @throws InputError where there is no such set or node
+  /// The nodes of a set, or one by its id, as a data line names them.
+  /// @throws InputError where there is no such set or node, or both
   [[nodiscard]] std::vector<int> nodes_of(const std::string& text,
                                           const Place& asks) const;
-  /// Likewise of elements; places in `elements`.
+  /// The one node that an option names.
+  /// @throws InputError where it names none or more
+  [[nodiscard]] int one_node(const Keyword& keyword,
+                             const std::string& option) const;
+  /// As nodes_of() for elements; places in `elements`.
   [[nodiscard]] std::vector<std::size_t> elements_of(const std::string& text,
                                                      const Place& asks) const;
+  /// The elements of the set that the option ELSET names.
+  [[nodiscard]] std::vector<std::size_t> element_set(
+      const Keyword& keyword) const;
 
   /// Keywords of a name that belong to the model.
   [[nodiscard]] std::vector<const Keyword*> of(const std::string& name) const;
+
+  /// Adds a warning, once.
+  void say(const std::string& text);
+  /// Counts what is not read under a name.
+  void leave_out(const std::string& name,
+                 const Place& place,
+                 const std::string& consequence);
+  /// Says which card a name of the deck has become, and notes it beside it.
+  void name_card(const std::string& card,
+                 int id,
+                 const std::string& name,
+                 const Place& place);
 };
 
-/// Adds a warning, once.
-void say(InpDeck& deck, const std::string& text);
-
-/// Adds to what is not read; equal names are counted.
-struct LeftOutCount {
-  Place place;
-  int count = 0;
-  std::string consequence;
-};
-using LeftOutCounts = std::map<std::string, LeftOutCount>;
-void count_left_out(LeftOutCounts& counts,
-                    const std::string& name,
-                    const Place& place,
-                    const std::string& consequence);
-
-/// Puts what was counted into `left_out`, one sentence each.
-void add_left_out(InpDeck& deck, const LeftOutCounts& counts);
+/// What the deck has under a name.
+/// @param kind "surface", for the message
+/// @throws InputError where there is none
+template <typename Named>
+[[nodiscard]] auto& named_in(Named& all,
+                             const std::string& name,
+                             const std::string& kind,
+                             const Place& asks) {
+  const auto found = all.find(name);
+  if (found == all.end()) {
+    fail_at(asks,
+            fmt::format("the {} {} is not defined",
+                        kind,
+                        name.empty() ? "\"\"" : shortened(name)),
+            fmt::format("Define it by *{}, NAME=..., or correct the name.",
+                        upper(kind)));
+  }
+  return found->second;
+}
 
 /// Joins what *PART, *INSTANCE and *ASSEMBLY hold into one model.
 /// @throws InputError for more than one part or instance, or a moved one
@@ -151,17 +178,31 @@ void read_inp_orientations(InpDeck& deck);
 void find_turning_nodes(InpDeck& deck);
 /// Writes GRID and CORD2 cards.
 void write_inp_grids(InpDeck& deck);
-/// Writes the cards of *SHELL SECTION, *SOLID SECTION, ...
-void write_inp_sections(InpDeck& deck);
+void write_solid_sections(InpDeck& deck);
+void write_shell_sections(InpDeck& deck);
 void write_beam_sections(InpDeck& deck);
 void write_point_elements(InpDeck& deck);
-/// Writes the elements that have sections.
-/// @throws InputError for one that has none
+/// Writes solids and trusses, which nothing of their sections changes.
+/// @throws InputError for an element without section
 void write_inp_elements(InpDeck& deck);
 void write_inp_rigids(InpDeck& deck);
 void write_inp_equations(InpDeck& deck);
 void write_inp_ties(InpDeck& deck);
 void write_inp_boundary(InpDeck& deck);
+
+/// Elements of the families in the section's ELSET.
+[[nodiscard]] std::vector<std::size_t> section_elements(
+    const InpDeck& deck,
+    const Keyword& section,
+    const std::vector<InpFamily>& families);
+
+/// Gives elements a property of their own, by a card of this name.
+/// @return its id
+/// @throws InputError for an element that has a section already
+int take_elements(InpDeck& deck,
+                  const Keyword& section,
+                  const std::vector<std::size_t>& elements,
+                  const std::string& card);
 
 /// Id of the material's card of a kind, which is written where it has not been.
 /// @param card "MAT1"; MAT8 and MAT9 become MAT1 for an isotropic material
@@ -172,16 +213,20 @@ void write_inp_boundary(InpDeck& deck);
                                 const Place& asks);
 
 /// Whether a material is the same in all directions.
-[[nodiscard]] bool is_isotropic(const InpDeck& deck,
-                                const std::string& name,
-                                const Place& asks);
-
-/// @throws InputError for an orientation that is not defined
-[[nodiscard]] const InpOrientation& orientation_of(const InpDeck& deck,
-                                                   const std::string& name,
-                                                   const Place& asks);
+[[nodiscard]] bool is_isotropic(const InpDeck& deck, const std::string& name);
 
 /// Writes CORD2R. @return its id
 int write_axes(InpDeck& deck, const Eigen::Matrix3d& axes, const Place& place);
+
+struct RelationTerm {
+  int node = 0;
+  int dof = 0;  ///< 1 to 6
+  double factor = 0.0;
+};
+
+/// Writes an MPC: the sum of the terms is zero, the first one follows.
+void write_relation(InpDeck& deck,
+                    const Place& place,
+                    const std::vector<RelationTerm>& terms);
 
 }  // namespace tapfit::structure

@@ -1,48 +1,43 @@
 // *ELEMENT: read with their nodes, written once they have sections.
-#include "acquisition/foundation/coordinate_system.hpp"
 #include "updating/structure/abaqus/inp_deck.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 
 namespace tapfit::structure {
 namespace {
 
-// Nodes of a type that is not read: all on lines that end in a comma.
+// Adds the nodes of a data line from a field on.
+void take_nodes(const DataLine& line, std::size_t from, InpElement& e) {
+  std::size_t end = line.fields.size();
+  while (end > from && line.text(end - 1).empty()) --end;
+  for (std::size_t at = from; at < end; ++at) {
+    e.nodes.push_back(integer_in(line, at, "node"));
+  }
+}
+
+// Reads lines from `k` on; of a type that is not read all that end in a comma.
 InpElement next_element(const Keyword& keyword,
                         std::size_t& k,
-                        const InpType* type,
-                        std::size_t most) {
+                        const InpType* type) {
   const DataLine& first = keyword.lines[k];
   InpElement e;
   e.id = integer_in(first, 0, "element");
   e.type = type;
   e.place = first.place;
-  const auto take = [&e](const DataLine& line, std::size_t from) {
-    for (std::size_t at = from; at < line.fields.size(); ++at) {
-      if (!line.text(at).empty()) {
-        e.nodes.push_back(integer_in(line, at, "node"));
-      }
-    }
-  };
-  take(first, 1);
+  take_nodes(first, 1, e);
   while (keyword.lines[k].continues && k + 1 < keyword.lines.size() &&
-         (type == nullptr || e.nodes.size() < most)) {
-    take(keyword.lines[++k], 0);
+         (type == nullptr || e.nodes.size() < type->nodes)) {
+    take_nodes(keyword.lines[++k], 0, e);
   }
   ++k;
   return e;
 }
 
-// Of a beam one more, for its direction 1.
-std::size_t most_nodes(const InpType& type) {
-  return type.nodes + (type.family == InpFamily::Beam ? 1 : 0);
-}
-
-// CalculiX passes over what stands behind the last node of a type.
+// A beam may name one node more, for its direction 1. CalculiX passes over what
+// stands behind the last node of a type.
 void check_nodes(InpDeck& deck, InpElement& e) {
   const std::size_t needed = e.type->nodes;
+  const std::size_t most = needed + (e.is(InpFamily::Beam) ? 1 : 0);
   if (e.nodes.size() < needed) {
     fail_at(e.place,
             fmt::format("element {} has {} nodes, {} has {}",
@@ -52,8 +47,8 @@ void check_nodes(InpDeck& deck, InpElement& e) {
                         needed),
             "Correct its line; one that goes on in the next ends in a comma.");
   }
-  if (e.nodes.size() > most_nodes(*e.type)) {
-    say(deck,
+  if (e.nodes.size() > most) {
+    deck.say(
         fmt::format("elements of type {} name more than {} nodes: those behind "
                     "are left out",
                     e.type_name,
@@ -84,45 +79,35 @@ void add_element(InpDeck& deck, InpElement e, const std::string& set) {
   deck.elements.push_back(std::move(e));
 }
 
-// Grids of the element's card, property in front.
-std::vector<std::string> head(const InpElement& e) {
-  std::vector<std::string> fields{fmt::format("{}", e.id),
-                                  fmt::format("{}", e.property)};
-  for (const std::size_t at : e.type->order) {
-    fields.push_back(fmt::format("{}", e.nodes[at]));
+void write_element(InpDeck& deck, const InpElement& e) {
+  CardFields fields{e.id, e.property};
+  if (e.is(InpFamily::Truss)) {
+    if (e.type->nodes > 2) {
+      deck.say(e.type_name + ": the middle node of a truss is left out");
+    }
+    fields.emplace_back(e.nodes.front());
+    fields.emplace_back(e.nodes[e.type->nodes - 1]);
+  } else {
+    for (std::size_t grid = 0; grid < e.type->nodes; ++grid) {
+      fields.emplace_back(e.nodes[e.type->node_of_grid(grid)]);
+    }
   }
-  return fields;
-}
-
-// Both ends; a middle node of a truss joins nothing.
-void write_truss(InpDeck& deck, const InpElement& e) {
-  if (e.type->nodes > 2) {
-    say(deck, e.type_name + ": the middle node of a truss is left out");
-  }
-  deck.cards.card(e.place,
-                  "CROD",
-                  {fmt::format("{}", e.id),
-                   fmt::format("{}", e.property),
-                   fmt::format("{}", e.nodes.front()),
-                   fmt::format("{}", e.nodes[e.type->nodes - 1])});
+  deck.cards.card(e.place, e.type->card, fields);
 }
 
 }  // namespace
 
 void read_inp_elements(InpDeck& deck) {
-  LeftOutCounts counts;
   for (const Keyword* keyword : deck.of("ELEMENT")) {
     const std::string type_name = keyword->needed_option("TYPE");
     const std::string set = keyword->option("ELSET");
     const InpType* type = inp_type(type_name);
     if (!set.empty()) deck.element_sets[set];
-    const std::size_t most = type == nullptr ? 0 : type->nodes;
     for (std::size_t k = 0; k < keyword->lines.size();) {
-      InpElement e = next_element(*keyword, k, type, most);
+      InpElement e = next_element(*keyword, k, type);
       e.type_name = type_name;
       if (type == nullptr) {
-        count_left_out(counts,
-                       type_name,
+        deck.leave_out(type_name,
                        e.place,
                        "these elements' stiffness and mass are missing from "
                        "the model");
@@ -132,25 +117,59 @@ void read_inp_elements(InpDeck& deck) {
       add_element(deck, std::move(e), set);
     }
   }
-  add_left_out(deck, counts);
+}
+
+std::vector<std::size_t> section_elements(
+    const InpDeck& deck,
+    const Keyword& section,
+    const std::vector<InpFamily>& families) {
+  std::vector<std::size_t> found = deck.element_set(section);
+  std::erase_if(found, [&](std::size_t k) {
+    return std::ranges::none_of(families, [&](InpFamily family) {
+      return deck.elements[k].is(family);
+    });
+  });
+  return found;
+}
+
+int take_elements(InpDeck& deck,
+                  const Keyword& section,
+                  const std::vector<std::size_t>& elements,
+                  const std::string& card) {
+  const int id = deck.next_property++;
+  for (const std::size_t k : elements) {
+    InpElement& e = deck.elements[k];
+    if (e.property != 0) {
+      section.fail(fmt::format("element {} has a section already", e.id),
+                   "Take it out of the set of one of the two.");
+    }
+    e.property = id;
+  }
+  deck.name_card(card, id, section.option("ELSET"), section.place);
+  return id;
 }
 
 void write_inp_elements(InpDeck& deck) {
+  const auto is_thin = [](const InpElement& e) {
+    return e.is(InpFamily::Beam) || e.is(InpFamily::Shell);
+  };
+  if (std::ranges::any_of(deck.elements, is_thin)) {
+    deck.say(
+        "beams and shells stay what they are; CalculiX makes solids of them, "
+        "which are stiffer in coarse meshes, and whose bars twist as if J were "
+        "I11 + I22");
+  }
   for (const InpElement& e : deck.elements) {
     if (e.type == nullptr) continue;
-    const InpFamily family = e.type->family;
-    const bool needs = family == InpFamily::Solid || family == InpFamily::Truss;
     if (e.property == 0) {
       fail_at(e.place,
               fmt::format("element {} ({}) has no section", e.id, e.type_name),
               "Name a set with it in *SOLID SECTION, *SHELL SECTION, *BEAM "
               "SECTION, *MASS, *SPRING or what belongs to its type.");
     }
-    if (!needs) continue;  // written with their sections
-    if (family == InpFamily::Truss) {
-      write_truss(deck, e);
-    } else {
-      deck.cards.card(e.place, e.type->card, head(e));
+    // The others are written with their sections.
+    if (e.is(InpFamily::Solid) || e.is(InpFamily::Truss)) {
+      write_element(deck, e);
     }
   }
 }

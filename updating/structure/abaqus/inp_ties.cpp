@@ -4,15 +4,10 @@
 //   u_slave = sum_i N_i u_i,
 //
 // or the one node of it that is at their place.
-#include "acquisition/foundation/trimmed_text.hpp"
 #include "updating/structure/abaqus/face_shapes.hpp"
 #include "updating/structure/abaqus/inp_deck.hpp"
 
-#include <Eigen/Core>
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <set>
 
@@ -23,7 +18,6 @@ struct MasterFace {
   std::vector<int> ids;
   std::vector<Eigen::Vector3d> at;
   Eigen::Vector3d low, high;
-  double size = 0.0;  // the diagonal of its box
 };
 
 std::vector<MasterFace> faces_of_master(const InpDeck& deck,
@@ -39,23 +33,9 @@ std::vector<MasterFace> faces_of_master(const InpDeck& deck,
       face.low = face.low.cwiseMin(p);
       face.high = face.high.cwiseMax(p);
     }
-    face.size = (face.high - face.low).norm();
     faces.push_back(std::move(face));
   }
   return faces;
-}
-
-const InpSurface& surface_of(const InpDeck& deck,
-                             const std::string& name,
-                             const Place& place) {
-  const auto found = deck.surfaces.find(name);
-  if (found == deck.surfaces.end()) {
-    constexpr std::size_t most = 40;
-    fail_at(place,
-            fmt::format("the surface {} is not defined", name.substr(0, most)),
-            "Define it by *SURFACE, NAME=..., or correct the name.");
-  }
-  return found->second;
 }
 
 struct Share {
@@ -63,28 +43,8 @@ struct Share {
   double factor = 0.0;
 };
 
-void write_follower(InpDeck& deck,
-                    const Place& place,
-                    int slave,
-                    const std::vector<Share>& on,
-                    int dofs) {
-  for (int dof = 1; dof <= dofs; ++dof) {
-    const std::string component = fmt::format("{}", dof);
-    std::vector<std::string> fields{
-        "1", fmt::format("{}", slave), component, "1."};
-    std::size_t terms = 1;
-    for (const Share& share : on) {
-      if (terms % 2 == 0) fields.resize(fields.size() + 2);
-      fields.push_back(fmt::format("{}", share.node));
-      fields.push_back(component);
-      fields.push_back(real_field(-share.factor));
-      ++terms;
-    }
-    deck.cards.card(place, "MPC", fields);
-  }
-}
-
-// The nearest face within the tolerance.
+// The nearest face within the tolerance; without one within a share of the
+// face's diagonal.
 std::vector<Share> shares_on(const std::vector<MasterFace>& faces,
                              const Eigen::Vector3d& p,
                              double tolerance) {
@@ -93,8 +53,9 @@ std::vector<Share> shares_on(const std::vector<MasterFace>& faces,
   std::vector<Share> best;
   double nearest = std::numeric_limits<double>::infinity();
   for (const MasterFace& face : faces) {
-    const double within =
-        tolerance > 0.0 ? tolerance : share_of_size * face.size;
+    const double within = tolerance > 0.0
+                              ? tolerance
+                              : share_of_size * (face.high - face.low).norm();
     const bool far = ((face.low - p).array() > within).any() ||
                      ((p - face.high).array() > within).any();
     if (far) continue;
@@ -113,12 +74,12 @@ std::vector<Share> shares_on(const std::vector<MasterFace>& faces,
 // Of master surfaces of nodes: the one at the same place.
 std::vector<Share> same_place(const InpDeck& deck,
                               const InpSurface& master,
-                              const Eigen::Vector3d& p,
+                              const InpNode& slave,
                               double tolerance) {
   std::vector<Share> best;
-  double nearest = std::max(tolerance, 1e-6 * (1.0 + p.norm()));
+  double nearest = std::max(tolerance, 1e-6 * (1.0 + slave.at.norm()));
   for (const int id : master.nodes) {
-    const double distance = (deck.node(id, {}).at - p).norm();
+    const double distance = (deck.node(id, slave.place).at - slave.at).norm();
     if (distance > nearest) continue;
     nearest = distance;
     best = {{id, 1.0}};
@@ -126,60 +87,70 @@ std::vector<Share> same_place(const InpDeck& deck,
   return best;
 }
 
-// Nodes that turn.
-std::set<int> nodes_of_shells(const InpDeck& deck) {
+// Nodes of shells and beams.
+std::set<int> nodes_that_turn(const InpDeck& deck) {
   std::set<int> nodes;
   for (const InpElement& e : deck.elements) {
-    if (e.type == nullptr || (e.type->family != InpFamily::Shell &&
-                              e.type->family != InpFamily::Beam)) {
-      continue;
+    if (e.is(InpFamily::Shell) || e.is(InpFamily::Beam)) {
+      nodes.insert(e.nodes.begin(), e.nodes.end());
     }
-    nodes.insert(e.nodes.begin(), e.nodes.end());
   }
   return nodes;
 }
 
+void write_follower(InpDeck& deck,
+                    const Place& place,
+                    int slave,
+                    const std::vector<Share>& on,
+                    int dofs) {
+  for (int dof = 1; dof <= dofs; ++dof) {
+    std::vector<RelationTerm> terms{{slave, dof, 1.0}};
+    for (const Share& share : on) {
+      terms.push_back({share.node, dof, -share.factor});
+    }
+    write_relation(deck, place, terms);
+  }
+}
+
 void write_tie(InpDeck& deck, const Keyword& keyword, const DataLine& line) {
-  const InpSurface& slave = surface_of(deck, upper(line.text(0)), line.place);
-  const InpSurface& master = surface_of(deck, upper(line.text(1)), line.place);
-  const DataLine option{
-      {keyword.option("POSITIONTOLERANCE")}, keyword.place, false};
-  const double tolerance = number_or(option, 0, 0.0, "POSITION TOLERANCE");
+  const InpSurface& slave =
+      named_in(deck.surfaces, line.name(0), "surface", line.place);
+  const InpSurface& master =
+      named_in(deck.surfaces, line.name(1), "surface", line.place);
+  const double tolerance = keyword.option_number("POSITIONTOLERANCE");
   const std::vector<MasterFace> faces =
       faces_of_master(deck, master, line.place);
-  const std::set<int> turning =
-      master.of_shells ? nodes_of_shells(deck) : std::set<int>{};
+  const std::set<int> turning = nodes_that_turn(deck);
   std::size_t loose = 0;
   for (const int id : slave.nodes) {
     if (std::ranges::binary_search(master.nodes, id)) continue;
-    const Eigen::Vector3d p = deck.node(id, line.place).at;
-    const std::vector<Share> on = faces.empty()
-                                      ? same_place(deck, master, p, tolerance)
-                                      : shares_on(faces, p, tolerance);
-    if (on.empty()) {
-      ++loose;
-      continue;
-    }
-    write_follower(deck, line.place, id, on, turning.contains(id) ? 6 : 3);
+    const InpNode& node = deck.node(id, line.place);
+    const std::vector<Share> on =
+        faces.empty() ? same_place(deck, master, node, tolerance)
+                      : shares_on(faces, node.at, tolerance);
+    loose += on.empty() ? 1 : 0;
+    const bool turns =
+        turning.contains(id) && std::ranges::all_of(on, [&](const Share& s) {
+          return turning.contains(s.node);
+        });
+    if (!on.empty()) write_follower(deck, line.place, id, on, turns ? 6 : 3);
   }
   if (loose > 0) {
-    say(deck,
-        fmt::format("{}: {} of {} nodes of the slave surface lie on no face of "
-                    "the master surface and are not tied",
-                    line.place.where,
-                    loose,
-                    slave.nodes.size()));
+    deck.say(fmt::format(
+        "{}: {} of {} nodes of the slave surface lie on no face of the master "
+        "surface and are not tied",
+        line.place.where,
+        loose,
+        slave.nodes.size()));
   }
 }
 
 }  // namespace
 
 void write_inp_ties(InpDeck& deck) {
-  LeftOutCounts others;
   for (const Keyword* keyword : deck.of("TIE")) {
     if (keyword->has("CYCLICSYMMETRY") || keyword->has("MULTISTAGE")) {
-      count_left_out(others,
-                     "TIE",
+      deck.leave_out("TIE",
                      keyword->place,
                      "a sector is not closed to the whole; write the whole "
                      "model");
@@ -187,7 +158,6 @@ void write_inp_ties(InpDeck& deck) {
     }
     for (const DataLine& line : keyword->lines) write_tie(deck, *keyword, line);
   }
-  add_left_out(deck, others);
 }
 
 }  // namespace tapfit::structure

@@ -4,6 +4,8 @@
 // CrunchiX User's Manual, "Input deck format".
 #pragma once
 
+#include <Eigen/Core>
+
 #include <map>
 #include <optional>
 #include <string>
@@ -32,6 +34,8 @@ struct DataLine {
 
   /// "" behind the last one.
   [[nodiscard]] const std::string& text(std::size_t field) const;
+  /// In capitals, without quotes.
+  [[nodiscard]] std::string name(std::size_t field) const;
 };
 
 struct Keyword {
@@ -49,6 +53,8 @@ struct Keyword {
   /// As option().
   /// @throws InputError where it is not given
   [[nodiscard]] std::string needed_option(const std::string& name) const;
+  /// An option's number; 0 where it is not given.
+  [[nodiscard]] double option_number(const std::string& name) const;
   /// Data line `k`.
   /// @throws InputError where there are not as many
   [[nodiscard]] const DataLine& line(std::size_t k, const char* meaning) const;
@@ -68,24 +74,40 @@ struct Keyword {
 [[nodiscard]] std::vector<Keyword> keyword_blocks(
     const std::vector<PlacedLine>& lines);
 
-/// @throws InputError "what" at the line's place and keyword
+/// @throws InputError "what" at the line's place
 [[noreturn]] void fail_at(const Place& place,
                           const std::string& what,
                           const std::string& remedy);
+
+/// A name or field as a message quotes it: its first characters.
+[[nodiscard]] std::string shortened(const std::string& text);
 
 /// A number with an exponent of E or D.
 /// @throws InputError where the field is blank or no finite number
 [[nodiscard]] double number_in(const DataLine& line,
                                std::size_t field,
                                const char* meaning);
+/// As number_in(); `fallback` where the field is blank.
 [[nodiscard]] double number_or(const DataLine& line,
                                std::size_t field,
                                double fallback,
                                const char* meaning);
+/// x, y, z from a field on; blank ones are 0.
+[[nodiscard]] Eigen::Vector3d vector_in(const DataLine& line,
+                                        std::size_t first,
+                                        const char* meaning);
 [[nodiscard]] std::optional<int> integer_of(const std::string& text);
 /// @throws InputError where the field is blank or no integer
 [[nodiscard]] int integer_in(const DataLine& line,
                              std::size_t field,
                              const char* meaning);
+/// A degree of freedom, 1 to 6.
+/// @throws InputError for another number
+[[nodiscard]] int dof_in(const DataLine& line, std::size_t field);
+/// First and last degree of freedom as digits, "123"; those beyond 6 (warping,
+/// pressure, temperature) are left out.
+/// @throws InputError where the last is below the first, or they are beyond 1
+/// to 30
+[[nodiscard]] std::string dofs_in(const DataLine& line, std::size_t field);
 
 }  // namespace tapfit::structure

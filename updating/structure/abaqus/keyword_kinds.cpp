@@ -1,316 +1,141 @@
-// Which keywords are read, which change nothing of the modes, and which the
-// model lacks something without.
+// Which keywords are read, and which the model lacks something without.
 #include "updating/structure/abaqus/inp_deck.hpp"
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+#include <sstream>
 
 namespace tapfit::structure {
 namespace {
 
 using Names = std::set<std::string>;
 
-bool is_read(const std::string& name) {
-  static const Names names{"HEADING",
-                           "NODE",
-                           "ELEMENT",
-                           "NSET",
-                           "ELSET",
-                           "INCLUDE",
-                           "MATERIAL",
-                           "ELASTIC",
-                           "DENSITY",
-                           "SOLIDSECTION",
-                           "SHELLSECTION",
-                           "SHELLGENERALSECTION",
-                           "MEMBRANESECTION",
-                           "NODALTHICKNESS",
-                           "BEAMSECTION",
-                           "BEAMGENERALSECTION",
-                           "MASS",
-                           "ROTARYINERTIA",
-                           "SPRING",
-                           "DASHPOT",
-                           "BOUNDARY",
-                           "EQUATION",
-                           "RIGIDBODY",
-                           "KINEMATICCOUPLING",
-                           "COUPLING",
-                           "KINEMATIC",
-                           "DISTRIBUTING",
-                           "MPC",
-                           "TIE",
-                           "SURFACE",
-                           "TRANSFORM",
-                           "ORIENTATION",
-                           "PART",
-                           "ENDPART",
-                           "INSTANCE",
-                           "ENDINSTANCE",
-                           "ASSEMBLY",
-                           "ENDASSEMBLY",
-                           "STEP",
-                           "ENDSTEP",
-                           "FREQUENCY",
-                           "COMPLEXFREQUENCY",
-                           "PREPRINT",
-                           "STATIC"};
-  return names.contains(name);
+// Words between blanks.
+Names words(const char* text) {
+  std::istringstream stream(text);
+  Names names;
+  for (std::string name; stream >> name;) names.insert(name);
+  return names;
 }
 
-// What the model lacks without it; "" where it lacks nothing.
-std::string lack(const std::string& name) {
-  static const std::map<std::string, std::string> lacks{
-      {"CONTACTPAIR", "what is in contact comes apart; join it by *TIE"},
-      {"CONTACT", "what is in contact comes apart; join it by *TIE"},
-      {"CONTACTINCLUSIONS", "what is in contact comes apart"},
-      {"CYCLICSYMMETRYMODEL",
-       "a sector is not closed to the whole; write the whole model"},
-      {"USERELEMENT", "these elements' stiffness and mass are missing"},
-      {"USERMATERIAL", "the material is not known; write *ELASTIC"},
-      {"HYPERELASTIC", "the material is not known; write *ELASTIC"},
-      {"HYPERFOAM", "the material is not known; write *ELASTIC"},
-      {"MATRIXINPUT", "a matrix is missing from the model"},
-      {"MATRIXASSEMBLE", "a matrix is missing from the model"},
-      {"SUPERELEMENT", "substructures are missing; write the whole model"},
-      {"SUBSTRUCTUREPROPERTY", "substructures are missing"},
-      {"SUBSTRUCTUREGENERATE", "substructures are missing"},
-      {"SUBMODEL", "its edges are driven by another model"},
-      {"GAP", "what closes a gap comes apart"},
-      {"SHELLTOSOLIDCOUPLING", "shells and solids come apart; use *TIE"},
-      {"EMBEDDEDELEMENT", "what is embedded comes apart"},
-      {"DISTRIBUTINGCOUPLING",
-       "a coupling is missing; use *COUPLING with *DISTRIBUTING"},
-      {"PRE-TENSIONSECTION", "what it joins comes apart"},
-      {"CONNECTORSECTION", "connectors are missing; use springs or *MPC"},
-      {"FASTENER", "fasteners are missing"},
-      {"COHESIVESECTION", "what it glues comes apart; use *TIE"},
-      {"GASKETSECTION", "gaskets are missing"},
-      {"JOINT", "joints are missing; use springs"},
-      {"ITS", "supports of tubes are missing"},
-      {"FOUNDATION", "an elastic foundation is missing; use springs"},
-      {"NONSTRUCTURALMASS",
-       "mass is missing; put it into the density or into *MASS"},
-      {"BEAMADDEDINERTIA", "mass is missing; use *MASS"},
-      {"RELEASE", "hinges at the ends of beams are missing"},
-      {"REBAR", "reinforcement is missing"},
-      {"REBARLAYER", "reinforcement is missing"},
-      {"FRAMESECTION", "frame elements are missing; use B31"},
-      {"LINK", "links are missing"},
-      {"PERIODIC", "a periodic constraint is missing"},
-      {"MODELCHANGE", "parts are taken out of or put into the model"},
-      {"TRANSVERSESHEARSTIFFNESS",
-       "a section's shear stiffness is another one; leave it to the program"},
-      {"INERTIARELIEF", "the structure's support is another one"},
-      {"NGEN", "nodes are missing; write them out"},
-      {"NFILL", "nodes are missing; write them out"},
-      {"NCOPY", "nodes are missing; write them out"},
-      {"NMAP", "nodes are elsewhere; write their places out"},
-      {"SYSTEM", "nodes are elsewhere; write their places out"},
-      {"ELGEN", "elements are missing; write them out"},
-      {"ELCOPY", "elements are missing; write them out"},
-      {"IMPORT", "the model is in another file; write it out"},
-      {"ELEMENTPROPERTIES", "properties of elements are missing"},
-      {"CHANGEMATERIAL", "the material changes on the way"},
-      {"CHANGESOLIDSECTION", "the section changes on the way"},
-      {"IMPERFECTION", "nodes are elsewhere; write their places out"}};
-  const auto found = lacks.find(name);
-  return found == lacks.end() ? "" : found->second;
+const Names& read_keywords() {
+  static const Names names = words(
+      "HEADING NODE ELEMENT NSET ELSET INCLUDE SURFACE TRANSFORM ORIENTATION "
+      "PART ENDPART INSTANCE ENDINSTANCE ASSEMBLY ENDASSEMBLY PREPRINT "
+      "MATERIAL ELASTIC DENSITY SOLIDSECTION SHELLSECTION SHELLGENERALSECTION "
+      "MEMBRANESECTION NODALTHICKNESS BEAMSECTION BEAMGENERALSECTION "
+      "MASS ROTARYINERTIA SPRING DASHPOT BOUNDARY EQUATION MPC RIGIDBODY "
+      "KINEMATICCOUPLING COUPLING KINEMATIC DISTRIBUTING TIE "
+      "STEP ENDSTEP STATIC FREQUENCY COMPLEXFREQUENCY");
+  return names;
 }
 
-bool is_output(const std::string& name) {
-  static const Names names{
-      "NODEPRINT",   "NODEFILE",      "NODEOUTPUT",   "ELPRINT",
-      "ELFILE",      "ELEMENTOUTPUT", "OUTPUT",       "HISTORYOUTPUT",
-      "FIELDOUTPUT", "CONTACTOUTPUT", "CONTACTPRINT", "CONTACTFILE",
-      "ENERGYPRINT", "ENERGYOUTPUT",  "ENERGYFILE",   "MODALPRINT",
-      "MODALOUTPUT", "MODALFILE",     "SECTIONPRINT", "SECTIONFILE",
-      "FACEPRINT",   "FILEFORMAT",    "FILEOUTPUT",   "PRINT",
-      "MONITOR",     "RESTART",       "TIMEPOINTS",   "FILTER"};
-  return names.contains(name);
+// Those that count in steps, too.
+const Names& step_keywords() {
+  static const Names names = words(
+      "HEADING NSET ELSET PREPRINT BOUNDARY STEP ENDSTEP STATIC FREQUENCY "
+      "COMPLEXFREQUENCY");
+  return names;
 }
 
-bool is_load_or_analysis(const std::string& name) {
-  static const Names names{"CLOAD",
-                           "DLOAD",
-                           "DSLOAD",
-                           "TEMPERATURE",
-                           "INITIALCONDITIONS",
-                           "AMPLITUDE",
-                           "DYNAMIC",
-                           "MODALDYNAMIC",
-                           "STEADYSTATEDYNAMICS",
-                           "MODALDAMPING",
-                           "DAMPING",
-                           "GLOBALDAMPING",
-                           "BUCKLE",
-                           "VISCO",
-                           "HEATTRANSFER",
-                           "SENSITIVITY",
-                           "OBJECTIVE",
-                           "DESIGNVARIABLES",
-                           "DESIGNRESPONSE",
-                           "CONSTRAINT",
-                           "SELECTCYCLICSYMMETRYMODES",
-                           "BASEMOTION",
-                           "RESPONSESPECTRUM",
-                           "SPECTRUM",
-                           "RANDOMRESPONSE",
-                           "PSD-DEFINITION",
-                           "CORRELATION",
-                           "SELECTEIGENMODES",
-                           "CONTROLS",
-                           "CONSTRAINTCONTROLS",
-                           "SOLVERCONTROLS",
-                           "SOLUTIONTECHNIQUE",
-                           "NOANALYSIS",
-                           "CONTACTCONTROLS",
-                           "PERTURBATION",
-                           "INCREMENTATION",
-                           "CFLUX",
-                           "DFLUX",
-                           "FILM",
-                           "SFILM",
-                           "RADIATE",
-                           "SRADIATE",
-                           "INERTIALOAD",
-                           "PARAMETER",
-                           "GEOSTATIC",
-                           "CRADIATE"};
-  return names.contains(name);
+// What the model lacks, and the keywords without which it does.
+struct Lack {
+  const char* consequence;
+  Names names;
+};
+
+const std::vector<Lack>& lacks() {
+  static const std::vector<Lack> all{
+      {"what touches or is glued comes apart; join it by *TIE",
+       words("CONTACTPAIR CONTACT CONTACTINCLUSIONS GAP COHESIVESECTION "
+             "GASKETSECTION EMBEDDEDELEMENT SHELLTOSOLIDCOUPLING "
+             "PRE-TENSIONSECTION")},
+      {"a sector is not closed to the whole; write the whole model",
+       words("CYCLICSYMMETRYMODEL PERIODIC")},
+      {"elements or matrices are missing; write them as elements that are read",
+       words("USERELEMENT MATRIXINPUT MATRIXASSEMBLE SUPERELEMENT "
+             "SUBSTRUCTUREPROPERTY SUBSTRUCTUREGENERATE ELEMENTPROPERTIES "
+             "FRAMESECTION REBAR REBARLAYER")},
+      {"the material is not known; write *ELASTIC",
+       words("USERMATERIAL HYPERELASTIC HYPERFOAM CHANGEMATERIAL")},
+      {"joints or supports are missing; use springs, *MPC or *COUPLING",
+       words("CONNECTORSECTION FASTENER JOINT ITS FOUNDATION RELEASE LINK "
+             "DISTRIBUTINGCOUPLING INERTIARELIEF")},
+      {"mass is missing; put it into the density or into *MASS",
+       words("NONSTRUCTURALMASS BEAMADDEDINERTIA")},
+      {"nodes or elements are missing or elsewhere; write them out",
+       words("NGEN NFILL NCOPY NMAP SYSTEM ELGEN ELCOPY IMPORT IMPERFECTION "
+             "MODELCHANGE")},
+      {"the model's edges are driven by another one", words("SUBMODEL")},
+      {"a section is another one; leave its stiffness to the program",
+       words("TRANSVERSESHEARSTIFFNESS CHANGESOLIDSECTION")}};
+  return all;
 }
 
-bool is_of_contact(const std::string& name) {
-  static const Names names{"SURFACEINTERACTION",
-                           "SURFACEBEHAVIOR",
-                           "FRICTION",
-                           "CONTACTDAMPING",
-                           "CONTACTINITIALIZATION",
-                           "CLEARANCE",
-                           "GAPCONDUCTANCE",
-                           "CHANGEFRICTION",
-                           "CHANGESURFACEBEHAVIOR",
-                           "CHANGECONTACTTYPE",
-                           "CONTACTPROPERTYASSIGNMENT",
-                           "CONTACTINITIALIZATIONASSIGNMENT",
-                           "CONTACTFORMULATION",
-                           "CONTACTEXCLUSIONS",
-                           "SURFACEPROPERTYASSIGNMENT"};
-  return names.contains(name);
-}
-
-bool is_of_material(const std::string& name) {
-  static const Names names{"EXPANSION",
-                           "CONDUCTIVITY",
-                           "SPECIFICHEAT",
-                           "LATENTHEAT",
-                           "PLASTIC",
-                           "CYCLICHARDENING",
-                           "CREEP",
-                           "RATEDEPENDENT",
-                           "VISCOELASTIC",
-                           "DEPVAR",
-                           "DEFORMATIONPLASTICITY",
-                           "DAMAGEINITIATION",
-                           "DAMAGEEVOLUTION",
-                           "FAILSTRESS",
-                           "FAILSTRAIN",
-                           "ELECTRICALCONDUCTIVITY",
-                           "POTENTIAL",
-                           "MAGNETICPERMEABILITY",
-                           "FLUIDCONSTANTS",
-                           "SPECIFICGASCONSTANT",
-                           "PHYSICALCONSTANTS",
-                           "CHANGEPLASTIC",
-                           "SECTIONCONTROLS",
-                           "HOURGLASSSTIFFNESS",
-                           "SECTIONPOINTS",
-                           "DISPLAYBODY",
-                           "DISTRIBUTIONTABLE",
-                           "BRITTLECRACKING",
-                           "CENTROID",
-                           "VIEWFACTOR",
-                           "VALUESATINFINITY",
-                           "USEROUTPUTVARIABLES"};
-  return names.contains(name);
-}
-
-// Changes nothing of the modes.
-bool is_harmless_keyword(const std::string& name) {
-  return is_output(name) || is_load_or_analysis(name) || is_of_contact(name) ||
-         is_of_material(name);
+const Lack* lack_of(const std::string& name) {
+  const auto found = std::ranges::find_if(
+      lacks(), [&](const Lack& lack) { return lack.names.contains(name); });
+  return found == lacks().end() ? nullptr : &*found;
 }
 
 bool solves_for_modes(const Keyword& keyword) {
   return keyword.name == "FREQUENCY" || keyword.name == "COMPLEXFREQUENCY";
 }
 
-int step_of_modes(const std::vector<Keyword>& keywords) {
-  const auto found = std::ranges::find_if(keywords, solves_for_modes);
-  return found == keywords.end() ? 1 : std::max(1, found->step);
-}
-
-std::string joined(const Names& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
-// A frequency step on top of a loaded state.
-void warn_prestress(InpDeck& deck) {
+// A frequency step on top of a loaded state; a step without end.
+void warn_of_steps(InpDeck& deck) {
   bool loaded = false;
+  const Keyword* open = nullptr;
   for (const Keyword& keyword : deck.keywords) {
+    if (keyword.name == "STEP") open = &keyword;
+    if (keyword.name == "ENDSTEP") open = nullptr;
     if (keyword.step == 0 || keyword.step > deck.last_step) continue;
     const bool before = keyword.step < deck.last_step;
     loaded = loaded || (before && keyword.name == "STATIC");
     if (keyword.name == "STEP" && !before && loaded &&
         keyword.has("PERTURBATION")) {
-      say(deck,
-          keyword.place.where +
-              ": the state that the steps before it load is not taken: modes "
-              "are those of the structure without stress");
+      deck.say(keyword.place.where +
+               ": the state that the steps before it load is not taken: modes "
+               "are those of the structure without stress");
     }
+  }
+  if (open != nullptr) {
+    deck.say(open->place.where +
+             ": the step has no *END STEP; the deck may be cut off");
   }
 }
 
 }  // namespace
 
 void sort_keywords(InpDeck& deck) {
-  deck.last_step = step_of_modes(deck.keywords);
-  LeftOutCounts counts;
-  Names ignored;
-  std::map<std::string, Place> unknown;
+  const auto modes = std::ranges::find_if(deck.keywords, solves_for_modes);
+  if (modes != deck.keywords.end()) deck.last_step = std::max(1, modes->step);
+  Names others;
   for (const Keyword& keyword : deck.keywords) {
     // Those that name a file have been inlined.
     if (keyword.name == "INCLUDE") {
       keyword.fail("it names no file", "Write *INCLUDE, INPUT=file.");
     }
-    const std::string why = lack(keyword.name);
-    if (!why.empty()) {
-      count_left_out(counts, keyword.shown, keyword.place, why);
-    } else if (is_harmless_keyword(keyword.name)) {
-      ignored.insert(keyword.shown);
-    } else if (!is_read(keyword.name)) {
-      unknown.try_emplace(keyword.shown, keyword.place);
+    if (const Lack* lack = lack_of(keyword.name)) {
+      deck.leave_out(keyword.shown, keyword.place, lack->consequence);
+    } else if (!read_keywords().contains(keyword.name)) {
+      others.insert(shortened(keyword.shown));
+    } else if (keyword.step > 0 && keyword.step <= deck.last_step &&
+               !step_keywords().contains(keyword.name)) {
+      deck.leave_out(keyword.shown,
+                     keyword.place,
+                     "it stands in a step; put it above the first *STEP");
     }
   }
-  add_left_out(deck, counts);
-  for (const auto& [name, place] : unknown) {
-    constexpr std::size_t most = 40;
-    say(deck,
-        fmt::format("{}: the keyword *{} is not known and left out",
-                    place.where,
-                    name.substr(0, most)));
+  std::string names;
+  for (const std::string& name : others) {
+    names += (names.empty() ? "" : ", ") + name;
   }
-  if (!ignored.empty()) {
-    say(deck,
-        "ignored, for they change nothing of the modes: " + joined(ignored));
+  if (!names.empty()) {
+    deck.say("keywords that are not read, of loads, output or the like: " +
+             names);
   }
-  warn_prestress(deck);
+  warn_of_steps(deck);
 }
 
 }  // namespace tapfit::structure

@@ -1,8 +1,7 @@
 #include "updating/structure/abaqus/translate_inp.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-
-#include <fmt/format.h>
+#include "updating/structure/abaqus/inp_deck.hpp"
 
 #include <algorithm>
 
@@ -22,19 +21,18 @@ std::string ids_of_names(const std::vector<std::string>& named) {
   return text;
 }
 
-bool has_card(const std::vector<PlacedLine>& lines, const std::string& name) {
-  return std::ranges::any_of(lines, [&](const PlacedLine& line) {
-    return line.text.starts_with(name);
-  });
-}
-
 std::vector<PlacedLine> with_control(const std::vector<PlacedLine>& cards) {
+  const auto has_card = [&](const char* name) {
+    return std::ranges::any_of(cards, [&](const PlacedLine& line) {
+      return line.text.starts_with(name);
+    });
+  };
   std::vector<PlacedLine> lines{
       {"$ An Abaqus or CalculiX deck, translated to bulk data", "", 0},
       {"SOL 103", "", 0},
       {"CEND", "", 0}};
-  if (has_card(cards, "SPC1")) lines.push_back({"SPC = 1", "", 0});
-  if (has_card(cards, "MPC")) lines.push_back({"MPC = 1", "", 0});
+  if (has_card("SPC1")) lines.push_back({"SPC = 1", "", 0});
+  if (has_card("MPC")) lines.push_back({"MPC = 1", "", 0});
   lines.push_back({"BEGIN BULK", "", 0});
   lines.push_back({"PARAM   COUPMASS1", "", 0});
   lines.insert(lines.end(), cards.begin(), cards.end());
@@ -51,7 +49,8 @@ void translate(InpDeck& deck) {
   read_inp_materials(deck);
   find_turning_nodes(deck);
   write_inp_grids(deck);
-  write_inp_sections(deck);
+  write_solid_sections(deck);
+  write_shell_sections(deck);
   write_beam_sections(deck);
   write_point_elements(deck);
   write_inp_elements(deck);
@@ -59,6 +58,20 @@ void translate(InpDeck& deck) {
   write_inp_equations(deck);
   write_inp_ties(deck);
   write_inp_boundary(deck);
+}
+
+std::vector<LeftOut> left_out_of(const InpDeck& deck) {
+  std::vector<LeftOut> all;
+  for (const auto& [name, seen] : deck.left_out) {
+    all.push_back({name,
+                   seen.place.where,
+                   fmt::format("{} (line {}, {} in all) is not read: {}",
+                               name,
+                               seen.place.number,
+                               seen.count,
+                               seen.consequence)});
+  }
+  return all;
 }
 
 // What is not read may be why something is missing.
@@ -82,11 +95,11 @@ TranslatedDeck translate_inp(const std::vector<PlacedLine>& lines) {
   try {
     translate(deck);
   } catch (const InputError& error) {
-    throw with_left_out(error, deck.left_out);
+    throw with_left_out(error, left_out_of(deck));
   }
   TranslatedDeck result;
   result.lines = with_control(deck.cards.lines());
-  result.left_out = std::move(deck.left_out);
+  result.left_out = left_out_of(deck);
   result.warnings.push_back(
       "an Abaqus or CalculiX deck, read as bulk data: what is written is bulk "
       "data" +

@@ -10,8 +10,8 @@
 // MSC Nastran Quick Reference Guide.
 #pragma once
 
-#include "updating/structure/abaqus/inp_deck.hpp"
 #include "updating/structure/abaqus/keyword_block.hpp"
+#include "updating/structure/abaqus/left_out.hpp"
 
 #include <string>
 #include <vector>

@@ -231,7 +231,8 @@ BarProperty hat(const Dimensions& d) {
 }
 
 // d: width, height, thickness of top, bottom, left and right wall.
-// J by Bredt: 4 A^2 / integral ds/t.
+// J by Bredt: 4 A^2 / integral ds/t, or that of the open section where a wall
+// is as thin as nothing.
 BarProperty box1(const Dimensions& d) {
   const double side = d[1] - d[2] - d[3];
   BarProperty p = composed({{d[0], d[2], d[1] - d[2] / 2.0, d[0] / 2.0},
@@ -243,7 +244,8 @@ BarProperty box1(const Dimensions& d) {
   p.neutral.setZero();
   const double w = d[0] - 0.5 * (d[4] + d[5]);
   const double h = d[1] - 0.5 * (d[2] + d[3]);
-  p.J = 4.0 * w * w * h * h / (w / d[2] + w / d[3] + h / d[4] + h / d[5]);
+  p.J = std::max(
+      p.J, 4.0 * w * w * h * h / (w / d[2] + w / d[3] + h / d[4] + h / d[5]));
   p.K1 = (d[4] + d[5]) * d[1] / p.area;
   p.K2 = (d[2] + d[3]) * d[0] / p.area;
   return p;

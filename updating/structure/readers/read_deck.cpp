@@ -144,7 +144,7 @@ Deck read_deck(const std::filesystem::path& path,
     if (deck.grids.empty()) {
       throw InputError("the model has no GRID",
                        path.string(),
-                       "Check that this is Nastran bulk data.");
+                       "Check that this is a Nastran, Abaqus or CalculiX deck.");
     }
     check_references(deck);
     check_number_scales(deck);

@@ -66,7 +66,7 @@ TEST(BadInp, NamesAreNotDefined) {
                "the surface A is not defined");
   expect_error(whole_brick + "*COUPLING, REF NODE=1, SURFACE=A\n*KINEMATIC\n",
                "plate.inp:18",
-               "its surface is not defined");
+               "the surface A is not defined");
   expect_error(one_shell() +
                    "*SHELL SECTION, ELSET=P, MATERIAL=STEEL, ORIENTATION=O\n"
                    ".01\n" +
@@ -117,7 +117,7 @@ TEST(BadInp, NumbersAreNone) {
                    "*SOLID SECTION, ELSET=V, MATERIAL=M\n*MATERIAL, NAME=M\n"
                    "*ELASTIC\n-1., .3\n",
                "plate.inp:13",
-               "the modulus -1 of M is not above zero");
+               "the moduli of M are those of no elastic material");
 }
 
 TEST(BadInp, FarCoordinateIsRefusedAtItsLine) {
@@ -199,15 +199,76 @@ TEST(BadInp, SectorsAreRefused) {
       HasSubstr("TIE (line 18"));
 }
 
-TEST(BadInp, HarmlessOnesAreListedAndUnknownOnesWarnedOf) {
+TEST(BadInp, OtherKeywordsAreListedOnce) {
   const Deck deck = deck_of_inp(
       whole_brick +
       "*AMPLITUDE, NAME=A\n0., 1.\n*WHATEVER\n1, 2\n*STEP\n*STATIC\n"
-      "*CLOAD\n1, 1, 5.\n*NODE PRINT\nU\n*END STEP\n");
+      "*CLOAD\n1, 1, 5.\n*NODE PRINT\nU\n*NODE PRINT\nU\n*END STEP\n");
   EXPECT_TRUE(warns(deck,
-                    "ignored, for they change nothing of the modes: AMPLITUDE, "
-                    "CLOAD, NODE PRINT"));
-  EXPECT_TRUE(warns(deck, "the keyword *WHATEVER is not known"));
+                    "keywords that are not read, of loads, output or the like: "
+                    "AMPLITUDE, CLOAD, NODE PRINT, WHATEVER"));
+}
+
+TEST(BadInp, ElementHasTwoSections) {
+  expect_error(whole_brick + "*SOLID SECTION, ELSET=V, MATERIAL=STEEL\n",
+               "plate.inp:18",
+               "element 1 has a section already");
+}
+
+TEST(BadInp, ModelDataInAStepIsNotPassedOver) {
+  const std::string text = whole_brick +
+                           "*STEP\n*FREQUENCY\n5\n"
+                           "*EQUATION\n2\n7, 1, 1., 6, 1, -1.\n*END STEP\n";
+  EXPECT_THAT(error_of(text).fault(),
+              HasSubstr("EQUATION (line 21, 1 in all) is not read: it stands "
+                        "in a step"));
+  EXPECT_EQ(error_of(text, {"EQUATION"}).fault(), "no error");
+}
+
+TEST(BadInp, StepWithoutEndIsSaid) {
+  EXPECT_TRUE(warns(deck_of_inp(whole_brick + "*STEP\n*FREQUENCY\n5\n"),
+                    "plate.inp:18: the step has no *END STEP"));
+}
+
+TEST(BadInp, RangesOfDegreesOfFreedom) {
+  expect_error(whole_brick + "*BOUNDARY\n1, 0, 3\n",
+               "plate.inp:19",
+               "0 to 3 are no degrees of freedom");
+  expect_error(whole_brick + "*BOUNDARY\n1, 1, 100\n",
+               "plate.inp:19",
+               "1 to 100 are no degrees of freedom");
+}
+
+// Names come to the terminal in warnings.
+TEST(BadInp, ControlCharactersOfNamesAreNotSaid) {
+  const Deck deck = deck_of_inp(
+      one_brick() +
+      "*SOLID SECTION, ELSET=V, MATERIAL=\x1b[31mX\n*MATERIAL, NAME=\x1b[31mX\n"
+      "*ELASTIC\n2.1e11, .3\n");
+  EXPECT_TRUE(warns(deck, "MAT1 1 is ?[31MX"));
+}
+
+// Both programs take a number for an id; a set of that name would be another.
+TEST(BadInp, NumbersAsNamesOfSets) {
+  expect_error(whole_brick + "*NSET, NSET=3\n1, 2\n*BOUNDARY\n3, 1\n",
+               "plate.inp:21",
+               "3 is a set and the id of one node");
+  EXPECT_EQ(error_of(whole_brick + "*NSET, NSET=30\n1, 2\n*BOUNDARY\n30, 1\n")
+                .fault(),
+            "no error");
+}
+
+TEST(BadInp, BlankNodeIsNotPassedOver) {
+  expect_error(
+      "*NODE\n1\n2\n3\n4\n5\n*ELEMENT, TYPE=S4, ELSET=P\n1, 1, 2, , 4, 5\n",
+      "plate.inp:8",
+      "field 4 (node)");
+}
+
+TEST(BadInp, SystemsThatAreNotRead) {
+  expect_error("*NODE, SYSTEM=S\n1, 1., 2., 3.\n",
+               "plate.inp:1",
+               "SYSTEM is neither R nor C");
 }
 
 TEST(BadInp, LoadedStatesAreSaidToBeLeftOut) {

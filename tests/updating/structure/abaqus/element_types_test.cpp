@@ -18,11 +18,11 @@ void expect_middles(const std::vector<Eigen::Vector3d>& written,
                     const InpType& type,
                     const Edges& edges) {
   ASSERT_EQ(written.size(), type.nodes);
-  ASSERT_EQ(type.order.size(), type.nodes);
   for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Eigen::Vector3d middle = 0.5 * (written[type.order[edges[k][0] - 1]] +
-                                          written[type.order[edges[k][1] - 1]]);
-    EXPECT_EQ(written[type.order[type.corners + k]], middle)
+    const Eigen::Vector3d middle =
+        0.5 * (written[type.node_of_grid(edges[k][0] - 1)] +
+               written[type.node_of_grid(edges[k][1] - 1)]);
+    EXPECT_EQ(written[type.node_of_grid(type.corners + k)], middle)
         << type.card << " G" << type.corners + k + 1;
   }
 }
@@ -82,7 +82,12 @@ TEST(ElementTypes, FacesHaveTheMiddlesOfTheirSides) {
       }
     }
   }
-  EXPECT_EQ(inp_face(*inp_type("C3D10"), 2).size(), 6U);
+  // 1, 4, 2 and the middles 8, 9, 5.
+  EXPECT_EQ(inp_face(*inp_type("C3D10"), 2),
+            (std::vector<std::size_t>{0, 3, 1, 7, 8, 4}));
+  // 3, 6, 4, 1 and the middles 15, 12, 13, 9.
+  EXPECT_EQ(inp_face(*inp_type("C3D15"), 5),
+            (std::vector<std::size_t>{2, 5, 3, 0, 14, 11, 12, 8}));
   EXPECT_EQ(inp_face(*inp_type("C3D6"), 1).size(), 3U);
   EXPECT_EQ(inp_face(*inp_type("C3D6"), 3).size(), 4U);
   EXPECT_TRUE(inp_face(type, 7).empty());

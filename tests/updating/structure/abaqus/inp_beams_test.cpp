@@ -4,7 +4,6 @@
 //
 // springs and masses by hand.
 #include "tests/updating/support/inp_support.hpp"
-#include "updating/structure/abaqus/beam_shapes.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -13,10 +12,6 @@ namespace tapfit::structure {
 namespace {
 
 using std::numbers::pi;
-
-DataLine dimensions(const std::vector<std::string>& fields) {
-  return {fields, {"plate.inp:1", 1}, false};
-}
 
 std::string bending_inp(const std::string& type,
                         int elements,
@@ -76,61 +71,104 @@ TEST(InpBeams, ExtraNodeGivesTheDirection) {
       1e-12);
 }
 
+// The property and the only bar of a beam along x with n1 = y.
+struct OneBeam {
+  BarProperty section;
+  Bar bar;
+};
+
+OneBeam beam_of(const std::string& type, const std::string& dimensions) {
+  const Deck deck =
+      deck_of_inp(bending_inp("B31",
+                              1,
+                              "*BEAM SECTION, ELSET=B, MATERIAL=STEEL, "
+                              "SECTION=" +
+                                  type + "\n" + dimensions + "\n0., 1., 0.\n"));
+  return {deck.bar_properties.begin()->second, deck.bars.front()};
+}
+
 TEST(InpBeams, CirclesOfBothPrograms) {
-  const BeamShape abaqus = beam_shape("CIRC", dimensions({"0.02"}));
-  const BeamShape calculix = beam_shape("CIRC", dimensions({"0.04", "0.04"}));
-  EXPECT_NEAR(abaqus.area, pi * 4e-4, 1e-15);
-  EXPECT_NEAR(abaqus.I1, pi / 4.0 * 1.6e-7, 1e-18);
-  EXPECT_NEAR(abaqus.J, pi / 2.0 * 1.6e-7, 1e-18);
-  EXPECT_NEAR(calculix.area, abaqus.area, 1e-15);
-  EXPECT_NEAR(calculix.I2, abaqus.I2, 1e-18);
+  for (const char* dimensions : {"0.02", "0.04, 0.04"}) {
+    const BarProperty p = beam_of("CIRC", dimensions).section;
+    EXPECT_NEAR(p.area, pi * 4e-4, 1e-15);
+    EXPECT_NEAR(p.I1, pi / 4.0 * 1.6e-7, 1e-18);
+    EXPECT_NEAR(p.J, pi / 2.0 * 1.6e-7, 1e-18);
+  }
+}
+
+// pi a b, pi a^3 b / 4, pi a^3 b^3 / (a^2 + b^2).
+TEST(InpBeams, EllipseOfTwoDiameters) {
+  const BarProperty p = beam_of("CIRC", "0.06, 0.02").section;
+  constexpr double digits = 1e-9;  // of a field
+  EXPECT_NEAR(p.area / (pi * 3e-4), 1.0, digits);
+  EXPECT_NEAR(p.I1 / (pi / 4.0 * 27e-6 * 0.01), 1.0, digits);
+  EXPECT_NEAR(p.I2 / (pi / 4.0 * 1e-6 * 0.03), 1.0, digits);
+  EXPECT_NEAR(p.J / (pi * 27e-12 / 1e-3), 1.0, digits);
 }
 
 TEST(InpBeams, SectionsByHand) {
-  const BeamShape rect = beam_shape("RECT", dimensions({"0.03", "0.02"}));
+  const BarProperty rect = beam_of("RECT", "0.03, 0.02").section;
   EXPECT_NEAR(rect.I1, 0.02 * std::pow(0.03, 3) / 12.0, 1e-18);
   EXPECT_NEAR(rect.I2, 0.03 * std::pow(0.02, 3) / 12.0, 1e-18);
-  const BeamShape pipe = beam_shape("PIPE", dimensions({"0.02", "0.004"}));
+  const BarProperty pipe = beam_of("PIPE", "0.02, 0.004").section;
   EXPECT_NEAR(pipe.area, pi * (4e-4 - 2.56e-4), 1e-15);
   EXPECT_NEAR(pipe.J, pi / 2.0 * (1.6e-7 - std::pow(0.016, 4)), 1e-18);
-  const BeamShape box =
-      beam_shape("BOX", dimensions({"50.", "50.", "3.", "3.", "3.", "3."}));
+  const BarProperty box = beam_of("BOX", "50., 50., 3., 3., 3., 3.").section;
   EXPECT_NEAR(box.area, 564.0, 1e-9);
   EXPECT_NEAR(box.I1, (std::pow(50.0, 4) - std::pow(44.0, 4)) / 12.0, 1e-6);
   EXPECT_NEAR(box.J, std::pow(47.0, 3) * 3.0, 1e-6);  // Bredt
-  const BeamShape tee =
-      beam_shape("I", dimensions({"0.", "10.", "4.", "4.", "1.", "1.", "2."}));
-  // From below: flanges of 4 x 1, a web of 2 x 8 between.
-  EXPECT_NEAR(tee.area, 24.0, 1e-12);
-  EXPECT_NEAR(tee.centroid[1], 5.0, 1e-12);
-  EXPECT_NEAR(
-      tee.I2, 2.0 * (4.0 / 12.0 + 4.0 * 4.5 * 4.5) + 2.0 * 512.0 / 12.0, 1e-9);
-  const BeamShape own =
-      beam_shape("GENERAL", dimensions({"1.", "2.", "0.5", "3.", "4."}));
-  EXPECT_EQ(own.I2, 2.0);  // I11: about axis 1
-  EXPECT_EQ(own.I1, 3.0);
-  EXPECT_EQ(own.I12, 0.5);
-  EXPECT_EQ(own.J, 4.0);
+  const BarProperty general = beam_of("GENERAL", "1., 2., 0.5, 3., 4.").section;
+  EXPECT_EQ(general.I2, 2.0);  // I11: about axis 1
+  EXPECT_EQ(general.I1, 3.0);
+  EXPECT_EQ(general.I12, 0.5);
+  EXPECT_EQ(general.J, 4.0);
+}
+
+// Walls of 4 at +1 and of 2 at -1, 3 at +2 and 1 at -2: the centroid by hand.
+TEST(InpBeams, UnequalWallsOfABox) {
+  const OneBeam beam = beam_of("BOX", "40., 30., 4., 3., 2., 1.");
+  const double area = 40.0 * 30.0 - 34.0 * 26.0;
+  EXPECT_NEAR(beam.section.area, area, 1e-9);
+  const double y =
+      (4 * 30 * 18.0 - 2 * 30 * 19.0 - 34 * 3 * 1.0 - 34 * 1 * 1.0) / area;
+  const double z = (40 * 3 * 13.5 - 40 * 1 * 14.5 - 6 * 26 * 1.0) / area;
+  EXPECT_NEAR(beam.bar.offsets[0].y(), y, 1e-9);
+  EXPECT_NEAR(beam.bar.offsets[0].z(), z, 1e-9);
+}
+
+// A wall as thin as nothing leaves the open section's J.
+TEST(InpBeams, OpenBoxTwistsAsItsWalls) {
+  const double J = beam_of("BOX", "25., 50., .0001, 3., 3., 3.").section.J;
+  EXPECT_NEAR(J, (50.0 + 2.0 * 22.0) * 27.0 / 3.0, 1.0);
+}
+
+// The height lies along n2 = z, the nodes 1 above the lower edge.
+TEST(InpBeams, HeightOfAnIStandsOnAxisTwo) {
+  const OneBeam beam = beam_of("I", "1., 10., 4., 4., 1., 1., 2.");
+  EXPECT_NEAR(beam.section.area, 24.0, 1e-12);
+  EXPECT_NEAR(beam.section.I1,
+              2.0 * (4.0 / 12.0 + 4.0 * 4.5 * 4.5) + 2.0 * 512.0 / 12.0,
+              1e-9);
+  EXPECT_LT((beam.bar.orientation - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  EXPECT_LT((beam.bar.offsets[0] - Eigen::Vector3d(0.0, 0.0, 4.0)).norm(),
+            1e-12);
+}
+
+// Of flanges of 8 and 4 the centroid lies where it does by hand.
+TEST(InpBeams, CentroidOfAnIWithUnequalFlanges) {
+  const OneBeam beam = beam_of("I", "0., 10., 8., 4., 1., 1., 2.");
+  const double height = (8.0 * 0.5 + 16.0 * 5.0 + 4.0 * 9.5) / 28.0;
+  EXPECT_NEAR(beam.bar.offsets[0].z() + beam.section.neutral.x(), height, 1e-9);
 }
 
 TEST(InpBeams, SectionsThatAreNone) {
-  EXPECT_THAT([] { static_cast<void>(beam_shape("RECT", dimensions({"1."}))); },
-              Refuses("dimension of the section"));
-  EXPECT_THAT(
-      [] {
-        static_cast<void>(beam_shape("RECT", dimensions({"1.", "-1."})));
-      },
-      Refuses("not above zero"));
-  EXPECT_THAT(
-      [] {
-        static_cast<void>(beam_shape("PIPE", dimensions({"1.", "2."})));
-      },
-      Refuses("no room"));
-  EXPECT_THAT(
-      [] {
-        static_cast<void>(beam_shape("HEX", dimensions({"1.", "2."})));
-      },
-      Refuses("the section HEX is not read"));
+  const auto refused = [](const char* type, const char* dimensions) {
+    return [=] { static_cast<void>(beam_of(type, dimensions)); };
+  };
+  EXPECT_THAT(refused("RECT", "1."), Refuses("dimension of the section"));
+  EXPECT_THAT(refused("RECT", "1., -1."), Refuses("give no section"));
+  EXPECT_THAT(refused("PIPE", "1., 2."), Refuses("give no section"));
+  EXPECT_THAT(refused("HEX", "1., 2."), Refuses("section HEX is not read"));
 }
 
 TEST(InpBeams, GeneralSectionHasModuliOfItsOwn) {

@@ -68,9 +68,22 @@ TEST(InpMaterials, NamesAreSaidWithTheirIds) {
   EXPECT_TRUE(warns(deck, "an Abaqus or CalculiX deck, read as bulk data"));
   EXPECT_TRUE(warns(deck, "MAT1 1 is STEEL, PSOLID 1 is V"));
   const bool named = std::ranges::any_of(deck.cards, [](const std::string& l) {
-    return l == "$ MAT1 1: material STEEL";
+    return l == "$ MAT1 1 is STEEL";
   });
   EXPECT_TRUE(named);
+}
+
+TEST(InpMaterials, ModuliOfNoElasticMaterialAreRefused) {
+  for (const char* elastic :
+       {"*ELASTIC\n-1., .3\n",
+        "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1., 1., 1., .9, .9, .9, 1., "
+        "1.,\n1.\n",
+        "*ELASTIC, TYPE=ENGINEERING CONSTANTS\n1., 1., 0., .3, .3, .3, 1., "
+        "1.,\n1.\n"}) {
+    EXPECT_THAT([&] { static_cast<void>(solid_material(elastic)); },
+                Refuses("the moduli of M are those of no elastic material"))
+        << elastic;
+  }
 }
 
 }  // namespace

@@ -45,6 +45,14 @@ TEST(KeywordBlock, KeywordLineGoesOnBehindAComma) {
   EXPECT_EQ(found[0].lines.size(), 1U);
 }
 
+// A comma too many: numbers are no options.
+TEST(KeywordBlock, DataBehindACommaAreData) {
+  const auto found =
+      blocks({"*NODE, NSET=A,", "1, 0., 0., 0.", "2, 1., 0., 0."});
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].lines.size(), 2U);
+}
+
 TEST(KeywordBlock, StepsAreCounted) {
   const auto found =
       blocks({"*NODE", "*STEP", "*STATIC", "*END STEP", "*STEP"});
@@ -75,6 +83,7 @@ TEST(KeywordBlock, IncludeNamesItsFile) {
   EXPECT_EQ(included_by_keyword("*Include, Input=parts/a.inp"), "parts/a.inp");
   EXPECT_EQ(included_by_keyword("*INCLUDE,INPUT=\"a b.inp\""), "a b.inp");
   EXPECT_FALSE(included_by_keyword("*NODE, INPUT=a.inp"));
+  EXPECT_FALSE(included_by_keyword("*INCLUDE, INPUT="));
   EXPECT_FALSE(included_by_keyword("** *INCLUDE, INPUT=a.inp"));
 }
 
