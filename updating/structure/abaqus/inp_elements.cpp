@@ -2,16 +2,25 @@
 #include "updating/structure/abaqus/inp_deck.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace tapfit::structure {
 namespace {
 
-// Adds the nodes of a data line from a field on.
+// Adds the nodes of a data line from a field on. Elements of an assembly name
+// those of its part with the instance: PART-1-1.5.
 void take_nodes(const DataLine& line, std::size_t from, InpElement& e) {
   std::size_t end = line.fields.size();
   while (end > from && line.text(end - 1).empty()) --end;
   for (std::size_t at = from; at < end; ++at) {
-    e.nodes.push_back(integer_in(line, at, "node"));
+    const std::string name = line.name(at);
+    const std::size_t point = name.rfind('.');
+    const bool of_instance =
+        point != std::string::npos &&
+        std::isalpha(static_cast<unsigned char>(name[0])) != 0;
+    const std::optional<int> id =
+        of_instance ? integer_of(name.substr(point + 1)) : std::nullopt;
+    e.nodes.push_back(id ? *id : integer_in(line, at, "node"));
   }
 }
 

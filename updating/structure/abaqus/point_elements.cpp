@@ -29,6 +29,7 @@ std::vector<InpElement> take(InpDeck& deck,
 }
 
 void write_masses(InpDeck& deck, const Keyword& keyword) {
+  if (keyword.option("TYPE") != "ISOTROPIC") refuse_option(keyword, "TYPE");
   const double mass = number_in(keyword.line(0, "mass"), 0, "mass");
   for (const InpElement& e : take(deck, keyword, InpFamily::Mass)) {
     deck.cards.card(e.place, "CONM2", {e.id, e.nodes[0], 0, mass});

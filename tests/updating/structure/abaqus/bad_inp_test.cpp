@@ -151,6 +151,11 @@ TEST(BadInp, OptionsThatAreNotRead) {
                    "*SPRING, ELSET=K, NONLINEAR\n\n1., 2.\n",
                "plate.inp:20",
                "the option NONLINEAR is not read");
+  expect_error(whole_brick +
+                   "*ELEMENT, TYPE=MASS, ELSET=K\n2, 7\n"
+                   "*MASS, ELSET=K, TYPE=ANISOTROPIC\n1., 2., 3.\n",
+               "plate.inp:20",
+               "the option TYPE is not read");
   expect_error(one_brick() + "*SOLID SECTION, ELSET=V, COMPOSITE, MATERIAL=M\n",
                "plate.inp:12",
                "layered solids");

@@ -108,6 +108,8 @@ TEST(InpConstraints, OnePartWithOneInstance) {
       "*NSET, NSET=LOW, INSTANCE=CUBE-1\n1, 2, 3, 4\n"
       "*NSET, NSET=TOP, INSTANCE=CUBE-1, GENERATE\n5, 8, 1\n"
       "*ELEMENT, TYPE=MASS, ELSET=M\n1, 1\n*MASS, ELSET=M\n3.\n"
+      "*ELEMENT, TYPE=SPRINGA, ELSET=\"Springs/1\"\n2, 1, CUBE-1.7\n"
+      "*SPRING, ELSET=\"Springs/1\"\n\n100.\n"
       "*SURFACE, NAME=S, TYPE=NODE\nTOP, 1.\n"
       "*COUPLING, CONSTRAINT NAME=C, REF NODE=RP, SURFACE=S\n*KINEMATIC\n"
       "*END ASSEMBLY\n" +
@@ -117,6 +119,8 @@ TEST(InpConstraints, OnePartWithOneInstance) {
   ASSERT_EQ(deck.rigids.size(), 1U);
   EXPECT_EQ(deck.rigids[0].independent, deck.masses[0].grid);
   EXPECT_EQ(deck.grid(deck.masses[0].grid).position.z(), 2.0);
+  ASSERT_EQ(deck.scalars.size(), 1U);
+  EXPECT_EQ(deck.scalars[0].grids, (std::array<int, 2>{9, 7}));
   const auto all = held(deck);
   EXPECT_EQ(all.at(4), digits("123"));
   EXPECT_EQ(all.at(5), digits("1"));
