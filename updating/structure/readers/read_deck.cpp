@@ -142,9 +142,10 @@ Deck read_deck(const std::filesystem::path& path,
     deck.path = path;
     finish(bulk, unsupported, builder);
     if (deck.grids.empty()) {
-      throw InputError("the model has no GRID",
-                       path.string(),
-                       "Check that this is a Nastran, Abaqus or CalculiX deck.");
+      throw InputError(
+          "the model has no GRID",
+          path.string(),
+          "Check that this is a Nastran, Abaqus or CalculiX deck.");
     }
     check_references(deck);
     check_number_scales(deck);
