@@ -31,8 +31,8 @@ TEST(UffSamples, AreReadOrRefusedWithAReason) {
   int functions = 0;
   for (const auto& entry : fs::directory_iterator(samples)) {
     if (entry.path().extension() != ".uff") continue;
-    for (const UffDataset& set :
-         split_uff(text_of(entry.path()), entry.path().filename())) {
+    const std::string text = text_of(entry.path());
+    for (const UffDataset& set : split_uff(text, entry.path().filename())) {
       EXPECT_GT(set.type, 0) << set.place;
       if (set.type != 58) continue;
       const UffFunction function = read_function(set);
