@@ -1,5 +1,6 @@
 #include "updating/search/hypotheses.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "tests/updating/support/hidden_in_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/error_ladder.hpp"
@@ -57,11 +58,15 @@ TEST_F(Hidden, IsToldAsItIsTried) {
     told.push_back(fit.effects.back().effect->name());
   };
   const Fit base = fitter_->fit({}, fitter_->model_for({}));
-  const auto all = fit_hypotheses(base, *fitter_, options, {});
-  EXPECT_EQ(told.size(), all.size());
+  // A piece of parallel work is done on one thread: on several, the order in
+  // which fits end is not that in which they begin.
+  std::size_t all = 0;
+  for_each_parallel(2, [&](std::size_t piece) {
+    if (piece == 0) all = fit_hypotheses(base, *fitter_, options, {}).size();
+  });
+  EXPECT_EQ(told.size(), all);
   ASSERT_GT(told.size(), 2U);
-  // On two cores one of the first two may end before the other.
-  EXPECT_TRUE(told[0] == "added-mass" || told[1] == "added-mass");
+  EXPECT_EQ(told[0], "added-mass");
 }
 
 TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
