@@ -4,11 +4,10 @@
 //                        - sum ((theta - mean) / sd)^2 / 2
 //
 // the Bayesian information criterion, with p(r) of form_error.hpp: variance and
-// form error of the deck are unknown and integrated out; and the price of
-// having searched many places.
-// Source: G. Schwarz, "Estimating the dimension of a model", Annals of
-// Statistics 6, 1978; R. E. Kass, A. E. Raftery, "Bayes factors", JASA 90,
-// 1995.
+// form error of the deck are unknown, the one at its likeliest, the other
+// summed over; and the price of having searched many places. Source: G.
+// Schwarz, "Estimating the dimension of a model", Annals of Statistics 6, 1978;
+// R. E. Kass, A. E. Raftery, "Bayes factors", JASA 90, 1995.
 #pragma once
 
 #include "updating/fit/fitter.hpp"

@@ -9,10 +9,11 @@
 
 namespace tapfit::updating {
 
-/// Tries every grid as a further hit point, and every grid as a new place of
-/// each sensor, its mass moving along. Both fits predict the new FRFs with the
-/// parameters they have; the difference is in units of the line's mean level,
-/// as the relative error is, and so compares with the floor.
+/// Tries grids, evenly chosen where they are more than 120, as further hit
+/// points and as new places of each sensor, its mass moving along. Both fits
+/// predict the new FRFs with the parameters they have; the difference is in
+/// units of the line's mean level, as the relative error is, and so compares
+/// with the floor.
 ///
 /// @param a, b fits of one test that explain it alike, the last effect of each
 ///   being what they disagree about

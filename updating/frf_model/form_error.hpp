@@ -61,7 +61,8 @@ struct FormView {
 
 /// What the data say of tau and sigma.
 struct FormEstimate {
-  /// Log of the probability of the residual, both integrated out.
+  /// Log of the probability of the residual, tau summed over, sigma at its
+  /// likeliest for each tau.
   double log_likelihood = 0.0;
   double tau = 0.0;  ///< relative, of a modal stiffness: twice a frequency's
   /// Root of the mean of tau^2: more where the data leave it open.

@@ -94,10 +94,10 @@ class FrfModel {
   /// modal stiffness off by omega_i omega_j e_ij, with e_ij symmetric and
   /// random, of variance tau^2 on the diagonal and tau^2 / 2 beside it (the
   /// nonparametric model of C. Soize, Probabilistic Engineering Mechanics 15,
-  /// 2000, p. 277). Two more patterns are what all modes have in common, evenly
-  /// and in proportion to their frequency: what a section without shear, an
-  /// edge held too well or a mass in the wrong plane does to all of them.
-  /// Modes are mixed with their two neighbours; rigid ones, and those below the
+  /// 2000, p. 277). Three more patterns are what modes have in common, evenly,
+  /// in proportion to their frequency, and above the band alone: what a section
+  /// without shear, an edge held too well or a mass in the wrong plane does.
+  /// Modes are mixed with the next two that show; rigid ones, and those below the
   /// lines that answer by their mass, stay as they are.
   ///
   /// @return d H / d e_ij times its deviation over tau, lines x pairs each
