@@ -4,17 +4,15 @@
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/preload.hpp"
-#include "updating/localisation/location_operators.hpp"
 #include "updating/localisation/location_scan.hpp"
 #include "updating/localisation/projected_misfit.hpp"
-#include "updating/places/element_cells.hpp"
 #include "updating/search/screen_clamps.hpp"
 #include "updating/search/screen_mistakes.hpp"
+#include "updating/search/screened_places.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -30,123 +28,6 @@ using Eigen::VectorXd;
 // Grids at which effects of several parameters are scanned: those where a
 // point effect of any law would explain most.
 constexpr std::size_t grids_in_detail = 12;
-
-// What is looked at, and the rows that it is felt by.
-struct Places {
-  // What may sit at one grid and moves along one axis there.
-  struct Kinds {
-    std::vector<EffectInstance> simple;
-    std::vector<EffectInstance> detailed;  // several parameters
-  };
-  std::vector<Kinds> points;  // one for each of the grids scanned
-  struct Wide {
-    const effects::Effect* effect = nullptr;
-    Location where;
-  };
-  std::vector<Wide> wide;  // of the sums scanned
-  ScannedPlaces scanned;
-};
-
-// The axes along which a point effect is felt: a directed one along its own,
-// others along all that were tested, of which one tells most.
-std::vector<int> felt_along(const effects::Effect& effect,
-                            const Location& where,
-                            const effects::TestContext& context) {
-  const bool directed = effect.sits() == effects::Sits::AlongAxis;
-  if (directed || context.components.empty()) {
-    return {effects::component_of(where, context)};
-  }
-  return context.components;
-}
-
-// Takes the point effects, each with the others that may sit where it may.
-void add_points(const Fitter& fitter,
-                const LocationOperators& source,
-                Places& places) {
-  const effects::TestContext& context = fitter.problem().context;
-  std::map<std::pair<int, int>, std::size_t> known;  // grid and axis
-  for (const effects::Effect* effect : effects::catalogue()) {
-    if (!effect->sits_at_grid()) continue;
-    for (const Location& where : fitter.places(*effect)) {
-      for (const int along : felt_along(*effect, where, context)) {
-        MatrixXd row = source.grid(where.node, along);
-        // A plane model does not move out of its plane.
-        if (along != context.component && row.isZero(0.0)) continue;
-        const auto [it, fresh] =
-            known.try_emplace({where.node, along}, places.points.size());
-        if (fresh) {
-          places.points.emplace_back();
-          places.scanned.grids.push_back(std::move(row));
-        }
-        const bool single = effect->parameters(where, context).size() == 1;
-        Places::Kinds& kinds = places.points[it->second];
-        (single ? kinds.simple : kinds.detailed).push_back({effect, where, {}});
-      }
-    }
-  }
-}
-
-void add_losses(const effects::Effect& effect,
-                const Fitter& fitter,
-                LocationOperators& source,
-                Places& places) {
-  std::map<int, std::size_t> at;  // first element of a cell -> its rows
-  for (const ElementCell& cell :
-       element_cells(*fitter.problem().context.deck)) {
-    at[cell.elements.front()] = places.scanned.parts.size();
-    places.scanned.parts.push_back(source.cell(cell));
-  }
-  for (const Location& where : fitter.places(effect)) {
-    std::vector<std::size_t> sum;
-    for (const int id : where.elements) {
-      const auto cell = at.find(id);
-      if (cell != at.end()) sum.push_back(cell->second);
-    }
-    places.wide.push_back({&effect, where});
-    places.scanned.sums.push_back(std::move(sum));
-  }
-}
-
-void add_preloads(const effects::Effect& effect,
-                  const Fitter& fitter,
-                  LocationOperators& source,
-                  Places& places) {
-  std::map<std::pair<std::vector<int>, bool>, std::size_t> known;
-  for (const Location& where : fitter.places(effect)) {
-    // What is pulled and pushed there is felt by the same rows.
-    const bool across = where.variant.starts_with("across");
-    const auto [it, fresh] = known.try_emplace({where.elements, across},
-                                               places.scanned.parts.size());
-    if (fresh) places.scanned.parts.push_back(source.preload(where));
-    if (places.scanned.parts[it->second].rows() == 0) continue;
-    places.wide.push_back({&effect, where});
-    places.scanned.sums.push_back({it->second});
-  }
-}
-
-Places all_places(const FrfModel& model, const Fitter& fitter) {
-  LocationOperators source(model);
-  Places places;
-  add_points(fitter, source, places);
-  for (const effects::Effect* effect : effects::catalogue()) {
-    const auto change = effect->changes_stiffness();
-    if (change == ChangeKind::Elements) {
-      add_losses(*effect, fitter, source, places);
-    }
-    if (change == ChangeKind::Preload) {
-      add_preloads(*effect, fitter, source, places);
-    }
-    if (change != ChangeKind::Joint) continue;
-    for (const Location& where : fitter.places(*effect)) {
-      MatrixXd rows = source.joint(where);
-      if (rows.rows() == 0) continue;
-      places.wide.push_back({effect, where});
-      places.scanned.sums.push_back({places.scanned.parts.size()});
-      places.scanned.parts.push_back(std::move(rows));
-    }
-  }
-  return places;
-}
 
 // Sizes between the bounds of a parameter, evenly in the logarithm.
 std::vector<double> sizes(const effects::ParameterSpec& spec, int count) {
@@ -210,7 +91,7 @@ class Screening {
         measured_(&fitter.problem().measured),
         // The widest line: the most forgiving about shifts.
         target_(&fitter.problem().targets.front()),
-        places_(all_places(*current.model, fitter)),
+        places_(screened_places(*current.model, fitter)),
         scan_(current, *target_),
         place_scan_(current, *target_, scan_, places_.scanned, progress),
         now_(
@@ -220,7 +101,7 @@ class Screening {
   [[nodiscard]] std::vector<Screened> points() const {
     std::vector<std::size_t> all(places_.points.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return at_points(all, &Places::Kinds::simple);
+    return at_points(all, &ScreenedPlaces::Kinds::simple);
   }
 
   // Effects of several parameters, at the most promising grids.
@@ -235,13 +116,13 @@ class Screening {
                       promise.end());
     std::vector<std::size_t> best;
     for (std::size_t k = 0; k < count; ++k) best.push_back(promise[k].second);
-    return at_points(best, &Places::Kinds::detailed);
+    return at_points(best, &ScreenedPlaces::Kinds::detailed);
   }
 
   [[nodiscard]] std::vector<Screened> wide() const {
     std::vector<Screened> result(places_.wide.size());
     for (std::size_t k = 0; k < result.size(); ++k) {
-      const Places::Wide& place = places_.wide[k];
+      const ScreenedPlaces::Wide& place = places_.wide[k];
       if (place.effect->changes_stiffness() == ChangeKind::Preload) {
         result[k] = preloaded(k);
         continue;
@@ -294,7 +175,7 @@ class Screening {
  private:
   // The best force in a member; of a wire one that is as long as it.
   [[nodiscard]] Screened preloaded(std::size_t k) const {
-    const Places::Wide& place = places_.wide[k];
+    const ScreenedPlaces::Wide& place = places_.wide[k];
     const double sign = effects::is_compression(place.where) ? 1.0 : -1.0;
     const ProjectedMisfit::Scaled best = place_scan_.scaled(k, sign);
     EffectInstance found = placed(*place.effect, place.where, context_);
@@ -308,7 +189,7 @@ class Screening {
   // What may sit at some of the points.
   [[nodiscard]] std::vector<Screened> at_points(
       const std::vector<std::size_t>& points,
-      std::vector<EffectInstance> Places::Kinds::*kinds) const {
+      std::vector<EffectInstance> ScreenedPlaces::Kinds::*kinds) const {
     std::vector<std::vector<Screened>> each(points.size());
     for_each_parallel(points.size(), [&](std::size_t k) {
       const std::size_t b = points[k];
@@ -370,7 +251,7 @@ class Screening {
   const Fit* current_;
   const signal::FrfSet* measured_;
   const Target* target_;
-  Places places_;
+  ScreenedPlaces places_;
   ProjectedMisfit scan_;
   LocationScan place_scan_;
   MatrixXcd now_;  // the model's FRFs as it is

@@ -10,8 +10,8 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
-#include "updating/search/screened.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/search/screened.hpp"
 
 #include <vector>
 
