@@ -96,8 +96,24 @@ void settle_modes(const BaseBuilder& builder,
   problem.targets = {make_target(*problem.modes)};
 }
 
-// Largest refined model that is solved without being asked for.
-constexpr std::size_t refined_grid_limit = 12000;
+// Largest deck whose elements are split without being asked for: once split it
+// has four times as many grids.
+constexpr std::size_t most_grids_to_split = 3000;
+
+// Why what the mesh leaves cannot be told; empty where it can, or where there
+// is no mesh.
+std::string why_not_split(const structure::Deck& deck) {
+  if (deck.shells.empty() && deck.bars.empty() && deck.solids.empty()) {
+    return "";
+  }
+  if (!structure::can_refine(deck)) {
+    return "solids and laminates are not split";
+  }
+  if (deck.grids.size() <= most_grids_to_split) return "";
+  return fmt::format("elements are split up to {} grids, and the model has {}",
+                     most_grids_to_split,
+                     deck.grids.size());
+}
 
 }  // namespace
 
@@ -111,17 +127,26 @@ SolvedModel solve_model(const structure::Deck& deck,
   const MeasuredPoints points = tested_points(deck, bundle);
   options.points = points.all;
   options.driven = points.driven;
-  const bool has_mesh = (!deck.shells.empty() || !deck.bars.empty()) &&
-                        structure::can_refine(deck);
-  options.split = has_mesh && 4 * deck.grids.size() <= refined_grid_limit;
+  const std::string unsplit = why_not_split(deck);
+  const bool has_mesh = !deck.shells.empty() || !deck.bars.empty();
+  options.split = has_mesh && unsplit.empty();
   SolvedModel model{
-      BaseBuilder(deck, bundle.uncertain, options, progress), {}, {}};
+      BaseBuilder(deck, bundle.uncertain, options, progress), {}, {}, unsplit};
   if (options.split) {
     options.split = false;
     model.coarse.emplace(deck, bundle.uncertain, options, progress);
     model.corrections = model.builder.hold_corrections(*model.coarse);
   }
   return model;
+}
+
+std::string mesh_warning(const SolvedModel& model) {
+  if (model.why_not_split.empty()) return "";
+  return fmt::format(
+      "what the mesh leaves is not known and not in the floor ({}): a deck of "
+      "a "
+      "finer mesh would tell",
+      model.why_not_split);
 }
 
 FitContext prepare_fits(const SolvedModel& model,
@@ -133,6 +158,9 @@ FitContext prepare_fits(const SolvedModel& model,
   std::ranges::transform(model.corrections,
                          std::back_inserter(problem.uncertain_sd),
                          &Correction::sd);
+  if (const std::string said = mesh_warning(model); !said.empty()) {
+    problem.measured.statements.push_back(said);
+  }
   ground.contour = problem.contour;
   ground.properties = property_names(*test.context.bundle, *test.context.deck);
   if (problem.modes) {

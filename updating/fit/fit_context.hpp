@@ -19,6 +19,7 @@ struct SolvedModel {
   BaseBuilder builder;                ///< split where that is affordable
   std::optional<BaseBuilder> coarse;  ///< the deck's own elements, if split
   std::vector<Correction> corrections = {};  ///< of `builder`, if split
+  std::string why_not_split = {};  ///< empty where split, or without a mesh
 
   [[nodiscard]] const BaseBuilder& unsplit() const {
     return coarse ? *coarse : builder;
@@ -31,6 +32,10 @@ struct SolvedModel {
                                       const acquisition::TestBundle& bundle,
                                       double high_hz,
                                       const Progress& progress);
+
+/// @return empty where the mesh's share of the floor is known, or there is no
+///   mesh
+[[nodiscard]] std::string mesh_warning(const SolvedModel& model);
 
 struct FitContext {
   std::unique_ptr<Fitter> fitter;

@@ -248,11 +248,13 @@ std::vector<std::string> Session::model_warnings(const Progress& progress) {
   std::vector<std::string> warnings = stages_->model->unsplit().warnings();
   warnings.push_back(floor_warning(base_comparison(progress)));
   warnings.push_back(base_error_warning(stages_->model->builder.error()));
-  std::erase(warnings, "");
   if (bundle().modes) {
     std::ranges::copy(stages_->ground->fitter->problem().measured.statements,
                       std::back_inserter(warnings));
+  } else {
+    warnings.push_back(mesh_warning(*stages_->model));
   }
+  std::erase(warnings, "");
   return warnings;
 }
 

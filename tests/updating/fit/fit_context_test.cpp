@@ -2,7 +2,10 @@
 
 #include "tests/updating/support/deck_support.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace tapfit::updating {
 namespace {
@@ -38,6 +41,53 @@ TEST(SolveModel, KnowsOfAMeshOnlyWhereThereIsOne) {
   const SolvedModel meshed = solve_model(plate, sensor_at(1), 200.0, {});
   EXPECT_TRUE(meshed.coarse);
   EXPECT_GE(meshed.corrections.size(), 1U);
+}
+
+// A cantilever of many bars, and a brick.
+std::string row_of_bars(int bars) {
+  std::string text =
+      "BEGIN BULK\n"
+      "MAT1,1,70.+9,,.3,2700.\n"
+      "PBAR,1,1,1.-4,1.-9,1.-9,1.-9\n"
+      "SPC1,1,123456,1\n";
+  for (int k = 0; k <= bars; ++k) {
+    text += fmt::format("GRID,{},,{:.4f},0.,0.\n", k + 1, 0.001 * k);
+  }
+  for (int k = 1; k <= bars; ++k) {
+    text += fmt::format("CBAR,{},1,{},{},0.,0.,1.\n", k, k, k + 1);
+  }
+  return text + "ENDDATA\n";
+}
+
+constexpr const char* brick =
+    "BEGIN BULK\n"
+    "MAT1,1,70.+9,,.3,2700.\n"
+    "PSOLID,1,1\n"
+    "GRID,1,,0.,0.,0.\n"
+    "GRID,2,,1.,0.,0.\n"
+    "GRID,3,,1.,1.,0.\n"
+    "GRID,4,,0.,1.,0.\n"
+    "GRID,5,,0.,0.,1.\n"
+    "GRID,6,,1.,0.,1.\n"
+    "GRID,7,,1.,1.,1.\n"
+    "GRID,8,,0.,1.,1.\n"
+    "CHEXA,1,1,1,2,3,4,5,6\n"
+    ",7,8\n"
+    "SPC1,1,123,1,2,3,4\n"
+    "ENDDATA\n";
+
+TEST(SolveModel, SaysWhereTheMeshLeavesWhatIsNotKnown) {
+  const auto said = [](const structure::Deck& deck, int grid, double high_hz) {
+    return mesh_warning(solve_model(deck, sensor_at(grid), high_hz, {}));
+  };
+  EXPECT_EQ(said(structure::plate_deck({}, 2, 2), 1, 200.0), "");
+  EXPECT_EQ(said(structure::deck_of(row_of_bars(100)), 101, 2000.0), "");
+  EXPECT_NE(said(structure::deck_of(row_of_bars(3000)), 3001, 10.0)
+                .find("up to 3000 grids, and the model has 3001"),
+            std::string::npos);
+  EXPECT_NE(said(structure::deck_of(brick), 7, 2000.0)
+                .find("solids and laminates are not split"),
+            std::string::npos);
 }
 
 }  // namespace
