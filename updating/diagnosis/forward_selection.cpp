@@ -178,7 +178,8 @@ void ForwardSelection::settle_places(const Fit& current,
 CandidateRanking ForwardSelection::look(const Fit& current,
                                         Depth depth,
                                         const Progress& progress,
-                                        const Fit* known) const {
+                                        const Fit* known,
+                                        const Fit* rival) const {
   const bool thorough = depth >= Depth::Thorough;
   HypothesisOptions options;
   options.places_per_kind = thorough ? options_.places_per_kind : 1;
@@ -187,6 +188,8 @@ CandidateRanking ForwardSelection::look(const Fit& current,
   options.explained = explained_error({options_.floor, options_.floor_noise});
   if (depth == Depth::LastResort) options.joints = many_joints;
   options.known = known;
+  options.rival = rival;
+  options.best_of_each = thorough;
   if (depth == Depth::Thorough && options_.tried) {
     options.tried = [this](const Fit& fit) {
       options_.tried(candidate_of(fit, fitter_->problem().context));
@@ -227,11 +230,14 @@ ForwardSelection::Pair ForwardSelection::best_pair(
     const std::size_t first = least_of_kind(round, k);
     const Hypothesis& h = round.hypotheses[first];
     const auto tried = static_cast<double>(kinds.size());
+    const Fit* rival = pair.next ? &pair.next->hypotheses.front().fit : nullptr;
     CandidateRanking next = look(h.fit,
                                  Depth::Quick,
                                  part_of(progress,
                                          (tried - 1.0) / kinds_tried_first,
-                                         tried / kinds_tried_first));
+                                         tried / kinds_tried_first),
+                                 nullptr,
+                                 rival);
     if (next.hypotheses.empty()) continue;
     const Hypothesis& second = next.hypotheses.front();
     // The same two in the other order end at the same error, but for rounding.

@@ -37,11 +37,13 @@ class ForwardSelection {
   };
 
   /// Everything that could be added to the model as it is.
-  /// @param known one of them that is fitted already, see HypothesisOptions
+  /// @param known one of them that is fitted already
+  /// @param rival of other effects, see HypothesisOptions
   [[nodiscard]] CandidateRanking look(const Fit& current,
                                       Depth depth,
                                       const Progress& progress,
-                                      const Fit* known = nullptr) const;
+                                      const Fit* known = nullptr,
+                                      const Fit* rival = nullptr) const;
 
   /// A hypothesis of the round as it is added to the model.
   ///

@@ -23,12 +23,14 @@ using Near = std::function<std::vector<Location>(const Location&)>;
 using Better = bool (*)(const Hypothesis&, const Hypothesis&);
 
 // Around the best place of a kind, step to a better neighbour until there is
-// none. Each step fits all neighbours, grids in one base.
+// none, or the way is too long. Each step fits all neighbours, grids in one
+// base.
 void climb(std::vector<Hypothesis>& found,
            Better better,
            const Fit& current,
            const Fitter& fitter,
            const Near& near,
+           Reach& reach,
            const Progress& progress) {
   std::vector<Location> seen;
   for (const Hypothesis& h : found) seen.push_back(h.own().where);
@@ -52,13 +54,17 @@ void climb(std::vector<Hypothesis>& found,
       all.insert(all.end(), tries.begin(), tries.end());
       shared = fitter.model_for(all);
     }
+    const Fit before = std::ranges::min_element(found, is_likelier)->fit;
     bool gained = false;
     for (Hypothesis& h :
          fit_each_beside(best.fit, current, tries, fitter, shared, progress)) {
       gained = gained || better(h, best);
+      reach.take(h.fit);
       found.push_back(std::move(h));
     }
-    if (!gained) return;
+    const Fit& now = std::ranges::min_element(found, is_likelier)->fit;
+    const int left = most_steps - round - 1;
+    if (!gained || !reach.holds_way(before, now, left)) return;
   }
 }
 
@@ -68,6 +74,7 @@ void climb_places(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
                   int neighbours,
+                  Reach& reach,
                   const Progress& progress) {
   const effects::TestContext& context = fitter.problem().context;
   const EffectInstance& any = found.front().own();
@@ -81,12 +88,13 @@ void climb_places(std::vector<Hypothesis>& found,
     }
     return places;
   };
-  climb(found, is_likelier, current, fitter, near, progress);
+  climb(found, is_likelier, current, fitter, near, reach, progress);
 }
 
 void climb_shapes(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
+                  Reach& reach,
                   const Progress& progress) {
   const structure::Deck& deck = *fitter.problem().context.deck;
   const auto near = [&deck](const Location& at) {
@@ -97,12 +105,13 @@ void climb_shapes(std::vector<Hypothesis>& found,
     }
     return places;
   };
-  climb(found, less_error, current, fitter, near, progress);
+  climb(found, less_error, current, fitter, near, reach, progress);
 }
 
 void climb_cracks(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
+                  Reach& reach,
                   const Progress& progress) {
   const structure::Deck& deck = *fitter.problem().context.deck;
   const auto near = [&deck](const Location& at) {
@@ -114,7 +123,7 @@ void climb_cracks(std::vector<Hypothesis>& found,
     }
     return places;
   };
-  climb(found, is_likelier, current, fitter, near, progress);
+  climb(found, is_likelier, current, fitter, near, reach, progress);
 }
 
 }  // namespace tapfit::updating

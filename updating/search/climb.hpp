@@ -2,17 +2,21 @@
 #pragma once
 
 #include "updating/search/hypothesis.hpp"
+#include "updating/search/reach.hpp"
 
 #include <vector>
 
 namespace tapfit::updating {
 
-/// From the best of a kind to a likelier one around it as long as there is one.
+/// From the best of a kind to a likelier one around it as long as there is one,
+/// and its pace may bring it near to what something reaches.
 /// @param found of one kind, not empty; gets all that were looked at
+/// @param reach takes what was found
 void climb_places(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
                   int neighbours,
+                  Reach& reach,
                   const Progress& progress);
 
 /// The same from patch to patch with a layer more or less, by the error.
@@ -22,12 +26,14 @@ void climb_places(std::vector<Hypothesis>& found,
 void climb_shapes(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
+                  Reach& reach,
                   const Progress& progress);
 
 /// The same from crack to crack: one begins and ends at some grid of its line.
 void climb_cracks(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,
+                  Reach& reach,
                   const Progress& progress);
 
 }  // namespace tapfit::updating

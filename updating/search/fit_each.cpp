@@ -8,10 +8,6 @@
 namespace tapfit::updating {
 namespace {
 
-// Of the logarithm of a likelihood: more than the rest of the way, and what
-// parameters and places cost, can make up for.
-constexpr double out_of_reach = 30.0;
-
 std::vector<EffectInstance> with(const Fit& current,
                                  const EffectInstance& more) {
   std::vector<EffectInstance> effects = current.effects;
@@ -56,15 +52,14 @@ Fit arrive(Fit approached, const Fitter& fitter, const Progress& progress) {
   return without_jacobian(fitter.arrive(std::move(approached), progress));
 }
 
-void drop_hopeless(std::vector<Hypothesis>& found, double most) {
+void drop_hopeless(std::vector<Hypothesis>& found, const Reach& reach) {
   if (found.empty()) return;
   std::iter_swap(found.begin(),
                  std::min_element(found.begin(), found.end(), is_likelier));
   const double least = std::min_element(found.begin(), found.end(), less_error)
                            ->fit.result.error;
   const auto hopeless = [&](const Hypothesis& h) {
-    return h.fit.result.error > least &&
-           h.fit.log_likelihood < most - out_of_reach;
+    return h.fit.result.error > least && reach.is_hopeless(h.fit);
   };
   found.erase(std::remove_if(found.begin() + 1, found.end(), hopeless),
               found.end());
@@ -73,7 +68,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, double most) {
 std::vector<Hypothesis> fit_each(const Fit& current,
                                  const std::vector<EffectInstance>& extras,
                                  const Fitter& fitter,
-                                 double known,
+                                 Reach& reach,
                                  const Progress& progress) {
   std::vector<Hypothesis> result(extras.size());
   const Progress silent{{}, progress.stop};
@@ -82,16 +77,14 @@ std::vector<Hypothesis> fit_each(const Fit& current,
         result[k].fit =
             approach_one(current, extras[k], fitter, nullptr, quiet);
       });
-  double most = known;
-  for (const Hypothesis& h : result) {
-    most = std::max(most, h.fit.log_likelihood);
-  }
-  drop_hopeless(result, most);
+  for (const Hypothesis& h : result) reach.take(h.fit);
+  drop_hopeless(result, reach);
   work_on_each(
       result.size(), silent, [&](std::size_t k, const Progress& quiet) {
         result[k].fit = arrive(std::move(result[k].fit), fitter, quiet);
       });
   drop_implausible(result);
+  for (const Hypothesis& h : result) reach.take(h.fit);
   return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/search/hypothesis.hpp"
+#include "updating/search/reach.hpp"
 
 #include <memory>
 #include <vector>
@@ -26,19 +27,18 @@ namespace tapfit::updating {
                          const Fitter& fitter,
                          const Progress& progress);
 
-/// What the second pass is not worth: all that is out of reach of the
-/// likeliest, but for the likeliest of these and that with the least error.
-/// @param most log likelihood that something reaches, among them or not
-void drop_hopeless(std::vector<Hypothesis>& found, double most);
+/// What the second pass is not worth: all that is hopeless, but for the
+/// likeliest of these and that with the least error.
+void drop_hopeless(std::vector<Hypothesis>& found, const Reach& reach);
 
 /// Both passes for each of several; those that end at what there is not are
 /// left out, and those out of reach.
-/// @param known log likelihood of what is known already
+/// @param reach takes those that arrived
 [[nodiscard]] std::vector<Hypothesis> fit_each(
     const Fit& current,
     const std::vector<EffectInstance>& extras,
     const Fitter& fitter,
-    double known,
+    Reach& reach,
     const Progress& progress);
 
 /// Each from where a fit of the same ended at a place beside: near enough to be

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <mutex>
 #include <utility>
 
@@ -26,26 +25,14 @@ void share_bases(std::vector<Planned>& plans,
   });
 }
 
-double most_likely(const std::vector<Planned>& plans,
-                   const std::vector<std::vector<Hypothesis>>& found) {
-  double most = -1e300;
-  for (std::size_t k = 0; k < plans.size(); ++k) {
-    const Fit* known = plans[k].known;
-    if (known != nullptr) most = std::max(most, known->log_likelihood);
-    for (const Hypothesis& h : found[k]) {
-      most = std::max(most, h.fit.log_likelihood);
-    }
-  }
-  return most;
-}
-
 }  // namespace
 
 std::vector<std::vector<Hypothesis>> fit_planned(
     std::vector<Planned> plans,
     const Fit& current,
     const Fitter& fitter,
-    const std::function<void(const Fit& fit)>& tried,
+    const HypothesisOptions& options,
+    Reach& reach,
     const Progress& progress) {
   share_bases(plans, current, fitter);
   std::vector<std::vector<Hypothesis>> found(plans.size());
@@ -60,21 +47,30 @@ std::vector<std::vector<Hypothesis>> fit_planned(
         current, plans[k].tries[t], fitter, plans[k].shared, quiet);
   };
   work_on_each(all.size(), part_of(progress, 0.0, 0.6), begin);
-  const double most = most_likely(plans, found);
+  for (const std::vector<Hypothesis>& kind : found) {
+    for (const Hypothesis& h : kind) reach.take(h.fit);
+  }
   std::vector<Fit*> left;
   for (std::vector<Hypothesis>& kind : found) {
-    drop_hopeless(kind, most);
+    if (options.best_of_each) {
+      drop_hopeless(kind, reach);
+    } else {
+      std::erase_if(kind, [&reach](const Hypothesis& h) {
+        return reach.is_hopeless(h.fit);
+      });
+    }
     for (Hypothesis& h : kind) left.push_back(&h.fit);
   }
   std::ranges::sort(left, std::greater{}, &Fit::log_likelihood);
   std::mutex one_at_a_time;
   const auto end = [&](std::size_t n, const Progress& quiet) {
     *left[n] = arrive(std::move(*left[n]), fitter, quiet);
-    if (!tried) return;
+    if (!options.tried) return;
     const std::lock_guard lock(one_at_a_time);
-    tried(*left[n]);
+    options.tried(*left[n]);
   };
   work_on_each(left.size(), part_of(progress, 0.6, 1.0), end);
+  for (const Fit* fit : left) reach.take(*fit);
   for (std::size_t k = 0; k < plans.size(); ++k) {
     if (plans[k].known != nullptr) found[k].push_back({*plans[k].known});
   }

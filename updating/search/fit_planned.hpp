@@ -3,23 +3,23 @@
 #pragma once
 
 #include "updating/search/hypothesis.hpp"
+#include "updating/search/reach.hpp"
 #include "updating/search/worth_fitting.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace tapfit::updating {
 
 /// Works on all cores, whatever kind a fit is of.
 ///
-/// @param tried as of HypothesisOptions
-/// @return for each plan its fits that arrived, at least the likeliest and that
-///   with the least error; the known one last
+/// @param reach takes those that arrived
+/// @return for each plan its fits that arrived; the known one last
 [[nodiscard]] std::vector<std::vector<Hypothesis>> fit_planned(
     std::vector<Planned> plans,
     const Fit& current,
     const Fitter& fitter,
-    const std::function<void(const Fit& fit)>& tried,
+    const HypothesisOptions& options,
+    Reach& reach,
     const Progress& progress);
 
 }  // namespace tapfit::updating

@@ -77,6 +77,11 @@ struct Kind {
   [[nodiscard]] double log_likelihood() const {
     return likeliest().fit.log_likelihood;
   }
+  [[nodiscard]] bool is_hopeless(const Reach& reach) const {
+    return std::ranges::all_of(found, [&reach](const Hypothesis& h) {
+      return reach.is_hopeless(h.fit);
+    });
+  }
   [[nodiscard]] double error() const {
     return std::min_element(found.begin(), found.end(), less_error)
         ->fit.result.error;
@@ -87,16 +92,18 @@ std::vector<Kind> fitted_kinds(std::vector<Planned> plans,
                                const Fit& current,
                                const Fitter& fitter,
                                const HypothesisOptions& options,
+                               Reach& reach,
                                const Progress& progress) {
   std::vector<Kind> kinds;
   for (const Planned& plan : plans) {
     kinds.push_back({plan.effect, {}, static_cast<double>(plan.tries.size())});
   }
   auto found =
-      fit_planned(std::move(plans), current, fitter, options.tried, progress);
+      fit_planned(std::move(plans), current, fitter, options, reach, progress);
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     kinds[k].found = std::move(found[k]);
   }
+  std::erase_if(kinds, [](const Kind& kind) { return kind.found.empty(); });
   return kinds;
 }
 
@@ -111,11 +118,13 @@ void climb_from_best(Kind& kind,
                      const Fit& current,
                      const Fitter& fitter,
                      const HypothesisOptions& options,
+                     Reach& reach,
                      const Progress& progress) {
   if (!kind.has_neighbours()) return;
-  climb_places(kind.found, current, fitter, options.neighbours, progress);
+  climb_places(
+      kind.found, current, fitter, options.neighbours, reach, progress);
   if (kind.is_loss() && kind.error() > options.explained) {
-    climb_shapes(kind.found, current, fitter, progress);
+    climb_shapes(kind.found, current, fitter, reach, progress);
   }
 }
 
@@ -126,14 +135,13 @@ void climb_rivals(std::vector<Kind>& kinds,
                   const Fit& current,
                   const Fitter& fitter,
                   const HypothesisOptions& options,
+                  Reach& reach,
                   const Progress& progress) {
   for (const bool grids : {true, false}) {
-    const double least = least_error(kinds);
     for (Kind& kind : kinds) {
-      if (kind.at_grids() != grids || kind.error() > rival_error * least)
-        continue;
+      if (kind.at_grids() != grids || kind.is_hopeless(reach)) continue;
       if (!tells(kind.likeliest(), current, fitter)) continue;
-      climb_from_best(kind, current, fitter, options, progress);
+      climb_from_best(kind, current, fitter, options, reach, progress);
     }
   }
 }
@@ -164,20 +172,20 @@ std::vector<Location> places_for_forms(const Kind& kind,
 // A patch that has lost next to all of its stiffness may be a crack, which the
 // seams that do well as joints are not near.
 std::vector<Location> cracks_in_patches(const std::vector<Kind>& kinds,
-                                        double most_error,
+                                        const Reach& reach,
                                         const Fit& current,
                                         const Fitter& fitter) {
   constexpr double next_to_all = 0.25;  // left
   std::vector<Location> places;
   for (const Kind& kind : kinds) {
-    if (!kind.is_loss() || kind.error() > most_error) continue;
+    if (!kind.is_loss() || kind.is_hopeless(reach)) continue;
     const Hypothesis* best = nullptr;
     for (const Hypothesis& h : kind.found) {
       if (h.own().p.front() > next_to_all || !tells(h, current, fitter))
         continue;
       if (best == nullptr || is_likelier(h, *best)) best = &h;
     }
-    if (best == nullptr || best->fit.result.error > most_error) continue;
+    if (best == nullptr || reach.is_hopeless(best->fit)) continue;
     for (std::vector<int>& nodes : cracks_within(*fitter.problem().context.deck,
                                                  best->own().where.elements)) {
       places.emplace_back().nodes = std::move(nodes);
@@ -200,6 +208,7 @@ void take_better(std::vector<Hypothesis> formed, Kind& kind) {
 void try_edges(Kind& kind,
                const Fit& current,
                const Fitter& fitter,
+               Reach& reach,
                const Progress& progress) {
   const effects::TestContext& context = fitter.problem().context;
   Location where = kind.likeliest().own().where;
@@ -211,8 +220,7 @@ void try_edges(Kind& kind,
     where.elements = std::move(inner);
     tries.push_back(placed(*kind.effect, where, context));
   }
-  take_better(fit_each(current, tries, fitter, kind.log_likelihood(), progress),
-              kind);
+  take_better(fit_each(current, tries, fitter, reach, progress), kind);
 }
 
 // What does well where it was found may do better in another form: a mass with
@@ -222,20 +230,21 @@ void try_forms(std::vector<Kind>& kinds,
                const Fit& current,
                const Fitter& fitter,
                const HypothesisOptions& options,
+               Reach& reach,
                const Progress& progress) {
-  const double least = least_error(kinds);
   const effects::TestContext& context = fitter.problem().context;
   for (Kind& kind : kinds) {
     std::vector<Location> places;
-    const bool rivals = kind.error() <= rival_error * least;
-    if (rivals &&
+    // A form refines a place among many, but of a support it may be far more
+    // than the plain one.
+    const bool in_reach = !kind.has_neighbours() || !kind.is_hopeless(reach);
+    if (in_reach &&
         (!kind.is_joint() || tells(kind.likeliest(), current, fitter))) {
       places = places_for_forms(kind, *context.deck);
     }
     if (kind.is_joint()) {
-      std::ranges::copy(
-          cracks_in_patches(kinds, rival_error * least, current, fitter),
-          std::back_inserter(places));
+      std::ranges::copy(cracks_in_patches(kinds, reach, current, fitter),
+                        std::back_inserter(places));
     }
     if (places.empty()) continue;
     std::vector<EffectInstance> tries;
@@ -248,18 +257,18 @@ void try_forms(std::vector<Kind>& kinds,
     }
     const double plain = kind.log_likelihood();
     std::vector<Hypothesis> formed =
-        fit_each(current, tries, fitter, plain, progress);
+        fit_each(current, tries, fitter, reach, progress);
     if (kind.is_joint() && !formed.empty()) {
-      climb_cracks(formed, current, fitter, progress);
+      climb_cracks(formed, current, fitter, reach, progress);
     }
     take_better(std::move(formed), kind);
     if (kind.log_likelihood() > plain && !kind.is_joint()) {
-      climb_from_best(kind, current, fitter, options, progress);
+      climb_from_best(kind, current, fitter, options, reach, progress);
     }
     // They refine what nothing else explains better.
     if (kind.is_loss() && kind.error() > options.explained &&
         kind.error() <= least_error(kinds)) {
-      try_edges(kind, current, fitter, progress);
+      try_edges(kind, current, fitter, reach, progress);
     }
   }
 }
@@ -278,17 +287,22 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   for (const Screened& s : screened) {
     places[{s.placed.effect, s.placed.where.runs.empty()}] += s.places;
   }
+  Reach reach(current, fitter);
+  for (const Fit* known : {options.known, options.rival}) {
+    if (known != nullptr) reach.take(*known);
+  }
   std::vector<Kind> kinds =
       fitted_kinds(planned_fits(current, screened, fitter, options),
                    current,
                    fitter,
                    options,
+                   reach,
                    part_of(progress, 0.1, 0.7));
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.7, 1.0);
-    climb_rivals(kinds, current, fitter, options, rest);
+    climb_rivals(kinds, current, fitter, options, reach, rest);
     if (least_error(kinds) > options.explained) {
-      try_forms(kinds, current, fitter, options, rest);
+      try_forms(kinds, current, fitter, options, reach, rest);
     }
   }
   std::vector<Hypothesis> all;

@@ -13,6 +13,9 @@ namespace tapfit::updating {
 namespace {
 
 constexpr std::size_t few_places = 8;
+// A screened error of one that takes a base of its own for each of its forms,
+// times that of the best of all.
+constexpr double rival_error = 4.0;
 
 bool has_form(const EffectInstance& placed) {
   const std::vector<std::string> forms = placed.effect->forms();

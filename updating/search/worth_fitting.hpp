@@ -10,10 +10,6 @@
 
 namespace tapfit::updating {
 
-/// A kind is looked at more closely where its best leaves at most this times
-/// the error of the best of all.
-inline constexpr double rival_error = 4.0;
-
 struct HypothesisOptions {
   int places_per_kind = 3;
   int neighbours = 8;
@@ -25,6 +21,10 @@ struct HypothesisOptions {
   /// One of them that is fitted already, as its last effect: others are looked
   /// at more closely only where they may do as well. None: null.
   const Fit* known = nullptr;
+  /// Of other effects, which these must come near as well. None: null.
+  const Fit* rival = nullptr;
+  /// The best of each kind is fitted to the end whether it comes near or not.
+  bool best_of_each = true;
   /// Told of each that was fitted to the end, one at a time; or empty.
   std::function<void(const Fit& fit)> tried = {};
 };

@@ -1,0 +1,19 @@
+// A hypothesis of which nothing is known but what it leaves.
+#pragma once
+
+#include "updating/search/hypothesis.hpp"
+
+#include <cmath>
+
+namespace tapfit::updating {
+
+/// Without patterns of form: of N data its log likelihood is c - N log(error).
+inline Hypothesis plain_hypothesis(double error) {
+  Hypothesis h;
+  h.fit.result.error = error;
+  h.fit.form = view({}, Eigen::VectorXd::Constant(1, error), {});
+  h.fit.log_likelihood = -std::log(error);
+  return h;
+}
+
+}  // namespace tapfit::updating

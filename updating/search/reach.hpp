@@ -1,0 +1,40 @@
+// What the rest of the way is worth: hypotheses and climbs that cannot come
+// near to what something else reaches end early.
+#pragma once
+
+#include "updating/fit/fitter.hpp"
+
+namespace tapfit::updating {
+
+class Reach {
+ public:
+  /// Of what is added to a fit: how likely it is tell the data in what that
+  /// fit leaves, which evidence counts as well.
+  Reach(const Fit& current, const Fitter& fitter);
+
+  /// @param data N, independent ones
+  /// @param noise relative error that the scatter over hits alone would give
+  Reach(double data, double noise) : data_(data), noise_(noise) {}
+
+  /// Something reaches this.
+  void take(const Fit& fit);
+
+  /// Far less likely than what something reaches, and with more error.
+  [[nodiscard]] bool is_hopeless(const Fit& fit) const;
+
+  /// Whether steps from place to place may come near, at the pace of the last.
+  /// @param steps that may follow
+  [[nodiscard]] bool holds_way(const Fit& before,
+                               const Fit& now,
+                               int steps) const;
+
+ private:
+  [[nodiscard]] double log_likelihood(const Fit& fit) const;
+
+  double data_;
+  double noise_;
+  double most_ = -1e300;
+  double least_error_ = 1e300;
+};
+
+}  // namespace tapfit::updating
