@@ -39,6 +39,13 @@ void check_names_file(const fs::path& output) {
                      fmt::format("\"{}\"", output.string()),
                      "give the name of a file");
   }
+  // Standard output may be one; a name is waited at until something reads it.
+  const std::string from_root = fs::absolute(output, fault).string();
+  const bool own =
+      from_root.starts_with("/dev/") || from_root.starts_with("/proc/");
+  if (fs::is_fifo(output, fault) && !own) {
+    throw InputError("is a pipe", output.string(), "give the name of a file");
+  }
   const fs::path folder = output.parent_path();
   if (folder.empty() || fs::is_directory(folder, fault)) return;
   throw InputError("cannot be written: its folder is not there",

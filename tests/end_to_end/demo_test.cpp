@@ -176,7 +176,23 @@ std::string in_other_order(const std::string& deck) {
 
 /// Every rung within 1 % of itself, what is identified within 0.1 standard
 /// deviations.
+// To a tenth of a deviation.
+void expect_same_values(const json& estimates, const json& others) {
+  ASSERT_FALSE(estimates.empty());
+  for (const auto& [name, estimate] : estimates.items()) {
+    EXPECT_NEAR(estimate.at("value").get<double>(),
+                others.at(name).at("value").get<double>(),
+                0.1 * estimate.at("sd").get<double>())
+        << name;
+  }
+}
+
 void expect_same_fit(const json& one, const json& other) {
+  for (const char* of : {"base", "fitted"}) {
+    const double left = one.at("error").at(of);
+    EXPECT_NEAR(left, other.at("error").at(of).get<double>(), 1e-3 * left)
+        << of;
+  }
   ASSERT_EQ(one.at("ladder").size(), 3U);
   ASSERT_EQ(other.at("ladder").size(), 3U);
   ASSERT_EQ(one.at("candidates").size(), 3U);
@@ -186,15 +202,10 @@ void expect_same_fit(const json& one, const json& other) {
     EXPECT_NEAR(
         left, other.at("ladder")[k].at("error").get<double>(), 0.01 * left)
         << k;
-    const json& parameters = one.at("candidates")[k].at("parameters");
-    for (const auto& [name, estimate] : parameters.items()) {
-      const json& again = other.at("candidates")[k].at("parameters").at(name);
-      EXPECT_NEAR(estimate.at("value").get<double>(),
-                  again.at("value").get<double>(),
-                  0.1 * estimate.at("sd").get<double>())
-          << name;
-    }
+    expect_same_values(one.at("candidates")[k].at("parameters"),
+                       other.at("candidates")[k].at("parameters"));
   }
+  expect_same_values(one.at("model_parameters"), other.at("model_parameters"));
 }
 
 // Another processor rounds otherwise; so does a modulus that differs in its

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 namespace tapfit::acquisition {
 namespace {
 
@@ -82,6 +84,20 @@ TEST_F(OutputRuleTest, OutputIsAFileInAFolderThatIsThere) {
        {fs::path(), folder, folder / "", folder / "no" / "a.uff"}) {
     EXPECT_THROW(rule.check(std::vector{name}), InputError) << name;
   }
+}
+
+// Opening it would wait for whatever reads it.
+TEST_F(OutputRuleTest, APipeByNameIsNoOutput) {
+  const fs::path pipe = folder_.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const OutputRule rule{{}, true};
+  try {
+    rule.check(std::vector<fs::path>{pipe});
+    FAIL() << "a pipe was taken";
+  } catch (const InputError& error) {
+    EXPECT_TRUE(holds(error.what(), "is a pipe"));
+  }
+  EXPECT_NO_THROW(rule.check(std::vector<fs::path>{"/dev/stdout"}));
 }
 
 TEST_F(OutputRuleTest, FreeNameIsNoInputThatIsNotThere) {

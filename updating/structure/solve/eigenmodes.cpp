@@ -232,8 +232,9 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
       const std::optional<bool> complete =
           is_complete(K, M, pairs.lambda, count);
       if (complete.value_or(false)) return to_modes(pairs, count);
-      // Without a gap, as within a cluster: one may follow further up.
-      if (!complete) asked = std::min(n - 1, asked + count / 4 + 4);
+      // Without a gap, or with one that is rounding, as among modes of a rigid
+      // body: one may follow further up.
+      asked = std::min(n - 1, asked + count / 4 + 4);
     }
     basis = std::min(n, std::max(basis + basis / 2, 2 * asked) + 10);
   }
