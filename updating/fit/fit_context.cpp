@@ -107,7 +107,7 @@ std::string why_not_split(const structure::Deck& deck) {
     return "";
   }
   if (!structure::can_refine(deck)) {
-    return "solids and laminates are not split";
+    return "solids and quadratic shells are not split";
   }
   if (deck.grids.size() <= most_grids_to_split) return "";
   return fmt::format("elements are split up to {} grids, and the model has {}",
@@ -144,8 +144,7 @@ std::string mesh_warning(const SolvedModel& model) {
   if (model.why_not_split.empty()) return "";
   return fmt::format(
       "what the mesh leaves is not known and not in the floor ({}): a deck of "
-      "a "
-      "finer mesh would tell",
+      "a finer mesh would tell",
       model.why_not_split);
 }
 

@@ -33,7 +33,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, const Reach& reach);
 
 /// Both passes for each of several; those that end at what there is not are
 /// left out, and those out of reach.
-/// @param reach takes those that arrived
+/// @param reach takes what both passes reach
 [[nodiscard]] std::vector<Hypothesis> fit_each(
     const Fit& current,
     const std::vector<EffectInstance>& extras,

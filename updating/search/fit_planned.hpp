@@ -12,7 +12,7 @@ namespace tapfit::updating {
 
 /// Works on all cores, whatever kind a fit is of.
 ///
-/// @param reach takes those that arrived
+/// @param reach takes what both passes reach
 /// @return for each plan its fits that arrived; the known one last
 [[nodiscard]] std::vector<std::vector<Hypothesis>> fit_planned(
     std::vector<Planned> plans,

@@ -86,7 +86,7 @@ TEST(SolveModel, SaysWhereTheMeshLeavesWhatIsNotKnown) {
                 .find("up to 3000 grids, and the model has 3001"),
             std::string::npos);
   EXPECT_NE(said(structure::deck_of(brick), 7, 2000.0)
-                .find("solids and laminates are not split"),
+                .find("solids and quadratic shells are not split"),
             std::string::npos);
 }
 
