@@ -48,7 +48,9 @@ void check_names_file(const fs::path& output) {
   }
   const fs::path folder = output.parent_path();
   if (folder.empty() || fs::is_directory(folder, fault)) return;
-  throw InputError("cannot be written: its folder is not there",
+  throw InputError(fs::exists(folder, fault)
+                       ? "cannot be written: its folder is a file"
+                       : "cannot be written: its folder is not there",
                    output.string(),
                    "make the folder, or name another");
 }

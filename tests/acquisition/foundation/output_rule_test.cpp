@@ -84,6 +84,10 @@ TEST_F(OutputRuleTest, OutputIsAFileInAFolderThatIsThere) {
        {fs::path(), folder, folder / "", folder / "no" / "a.uff"}) {
     EXPECT_THROW(rule.check(std::vector{name}), InputError) << name;
   }
+  EXPECT_TRUE(holds(refusal(folder / "nowhere" / "report.md", false),
+                    "its folder is not there"));
+  EXPECT_TRUE(
+      holds(refusal(input_ / "report.md", false), "its folder is a file"));
 }
 
 // Opening it would wait for whatever reads it.
