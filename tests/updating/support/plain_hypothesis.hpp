@@ -11,7 +11,8 @@ namespace tapfit::updating {
 inline Hypothesis plain_hypothesis(double error) {
   Hypothesis h;
   h.fit.result.error = error;
-  h.fit.form = view({}, Eigen::VectorXd::Constant(1, error), {});
+  const FormError none{Eigen::MatrixXd(1, 0), Eigen::VectorXd(0)};
+  h.fit.form = view(none, Eigen::VectorXd::Constant(1, error), {});
   h.fit.log_likelihood = -std::log(error);
   return h;
 }
