@@ -66,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(Pages,
                          Page,
                          testing::Values("README.md",
                                          "docs/commands.md",
-                                         "docs/real-test.md"),
+                                         "docs/real-test.md",
+                                         "docs/tutorial.md"),
                          [](const auto& page) {
                            std::string name = fs::path(page.param).stem();
                            std::erase(name, '-');

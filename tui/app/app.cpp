@@ -53,6 +53,7 @@ void converse(Terminal& terminal, Program& program) {
     changed = program.tick() || changed;
     changed = program.animate() || changed;
     if (changed) terminal.show(program.draw());
+    if (changed) terminal.name_window(program.window_title());
     changed = take_keys(terminal, program);
   }
 }
@@ -114,9 +115,11 @@ int ended() {
 
 int run_in_terminal(Opened bench,
                     std::unique_ptr<Terminal> terminal,
+                    const AppOptions& options,
                     bool ascii) {
   Program program(std::move(bench),
                   {terminal->width(), terminal->height(), ascii});
+  program.show_tour(options.tour);
   program.copy_with(
       [&terminal](const std::string& text) { terminal->copy(text); });
   converse(*terminal, program);
@@ -135,9 +138,17 @@ int replay_keys(const std::filesystem::path& bundle,
   Opened bench = open_session(bundle);
   const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);
   Program program(std::move(bench), {options.width, options.height, ascii});
+  program.show_tour(options.tour);
   const std::string text = replay(program, steps);
   print(text);
   return ExitStatus::Done;
+}
+
+std::filesystem::path demonstration() {
+  if (auto found = picker_start().demonstration) return *std::move(found);
+  throw InputError("is not beside this program",
+                   "the demonstration",
+                   "name a test: tapfit tour BUNDLE");
 }
 
 Glyphs wanted_glyphs(const AppOptions& options) {
@@ -151,7 +162,9 @@ Glyphs wanted_glyphs(const AppOptions& options) {
 
 }  // namespace
 
-int run_app(const std::filesystem::path& bundle, const AppOptions& options) {
+int run_app(const std::filesystem::path& asked, const AppOptions& options) {
+  const bool shows_around = asked.empty() && options.tour;
+  const std::filesystem::path bundle = shows_around ? demonstration() : asked;
   const Glyphs glyphs = wanted_glyphs(options);
   const bool ascii = glyphs == Glyphs::Ascii;
   if (options.keys_file) return replay_keys(bundle, options, ascii);
@@ -160,7 +173,7 @@ int run_app(const std::filesystem::path& bundle, const AppOptions& options) {
   std::unique_ptr<Terminal> terminal = open_terminal(options, glyphs);
   if (bundle.empty()) bench = pick(*terminal, options, ascii);
   if (bench == nullptr) return ended();
-  return run_in_terminal(std::move(bench), std::move(terminal), ascii);
+  return run_in_terminal(std::move(bench), std::move(terminal), options, ascii);
 }
 
 }  // namespace tapfit::tui

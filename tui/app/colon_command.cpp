@@ -6,6 +6,7 @@
 #include "updating/catalogue/catalogue.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -18,26 +19,43 @@ namespace {
 
 using Kind = ColonCommand::Kind;
 
-constexpr std::array<std::pair<std::string_view, Kind>, 19> commands{{
-    {"quit", Kind::Quit},     {"help", Kind::Help},     {"add", Kind::Add},
-    {"toggle", Kind::Toggle}, {"undo", Kind::Undo},     {"redo", Kind::Redo},
-    {"drop", Kind::Drop},     {"pick", Kind::Pick},     {"pair", Kind::Pair},
-    {"band", Kind::Band},     {"screen", Kind::Screen}, {"run", Kind::Run},
-    {"report", Kind::Report}, {"deck", Kind::Deck},     {"uff", Kind::Uff},
-    {"plot", Kind::Plot},     {"stop", Kind::Stop},     {"retry", Kind::Retry},
-    {"exit", Kind::Quit},
+struct Entry {
+  Kind kind;
+  std::string_view name;
+  std::string_view takes;
+  std::string_view does;
+};
+
+constexpr std::array<Entry, 20> commands{{
+    {Kind::Add, "add", "EFFECT[@PLACE] ...", "adds effects to the model"},
+    {Kind::Band, "band", "LOW HIGH", "looks for modes in this band [Hz]"},
+    {Kind::Deck, "deck", "[FILE]", "writes the updated deck"},
+    {Kind::Drop, "drop", "HZ", "takes the mode there out"},
+    {Kind::Quit, "exit", "", "leaves the program"},
+    {Kind::Help, "help", "", "what the screen shows, and all keys"},
+    {Kind::Pair, "pair", "I:K", "pairs a measured mode with the model's"},
+    {Kind::Pick, "pick", "HZ", "puts a mode in there"},
+    {Kind::Plot, "plot", "[NAME]", "writes what is plotted, SVG and CSV"},
+    {Kind::Quit, "quit", "", "leaves the program"},
+    {Kind::Redo, "redo", "", "does what was undone again"},
+    {Kind::Report, "report", "[FILE]", "writes the report"},
+    {Kind::Retry, "retry", "", "tries what failed again"},
+    {Kind::Run, "run", "N", "shows a run of the recording"},
+    {Kind::Screen, "screen", "1 ... 7", "shows a screen"},
+    {Kind::Stop, "stop", "", "stops what runs"},
+    {Kind::Toggle, "toggle", "N", "switches an added effect off and on"},
+    {Kind::Tour, "tour", "", "says what is seen on each screen, or no more"},
+    {Kind::Uff, "uff", "[FILE]", "writes FRFs and modes"},
+    {Kind::Undo, "undo", "", "takes the last step back"},
 }};
 
 [[noreturn]] void refuse(std::string_view word, std::string_view text) {
   std::vector<std::string> names;
-  for (const auto& [name, kind] : commands) names.emplace_back(name);
-  throw InputError(
-      fmt::format("no such command: {}", text),
-      "after ':'",
-      did_you_mean(word, names) +
-          "there are :q :help :add EFFECT@PLACE ... :toggle N :undo :redo "
-          ":drop HZ :pick HZ :pair I:K :band LOW HIGH :screen N "
-          ":run N :report :deck :uff :plot :stop :retry");
+  for (const Entry& entry : commands) names.emplace_back(entry.name);
+  throw InputError(fmt::format("no such command: {}", text),
+                   "after ':'",
+                   did_you_mean(word, names) + "there are :" +
+                       fmt::format("{}", fmt::join(names, " :")));
 }
 
 std::string_view trimmed(std::string_view text) {
@@ -52,19 +70,45 @@ Kind kind_of(std::string_view word, std::string_view text) {
   if (word.empty()) refuse(word, text);
   int found = 0;
   Kind kind = Kind::Help;
-  for (const auto& [name, its] : commands) {
-    if (name == word) return its;
-    if (!name.starts_with(word)) continue;
+  for (const Entry& entry : commands) {
+    if (entry.name == word) return entry.kind;
+    if (!entry.name.starts_with(word)) continue;
     ++found;
-    kind = its;
+    kind = entry.kind;
   }
   if (found != 1) refuse(word, text);
   return kind;
 }
 
+/// Whether the letters stand in the name, in this order.
+bool has_letters(std::string_view name, std::string_view letters) {
+  for (const char letter : letters) {
+    const std::size_t at = name.find(letter);
+    if (at == std::string_view::npos) return false;
+    name.remove_prefix(at + 1);
+  }
+  return true;
+}
+
+/// Those that begin so; of none those that hold its letters.
+std::vector<const Entry*> meant_by(std::string_view word) {
+  std::vector<const Entry*> begin;
+  std::vector<const Entry*> hold;
+  for (const Entry& entry : commands) {
+    if (entry.name.starts_with(word)) begin.push_back(&entry);
+    if (has_letters(entry.name, word)) hold.push_back(&entry);
+  }
+  return begin.empty() ? hold : begin;
+}
+
 bool takes_nothing(Kind kind) {
-  constexpr std::array<Kind, 6> alone{
-      Kind::Quit, Kind::Help, Kind::Undo, Kind::Redo, Kind::Stop, Kind::Retry};
+  constexpr std::array alone{Kind::Quit,
+                             Kind::Help,
+                             Kind::Undo,
+                             Kind::Redo,
+                             Kind::Stop,
+                             Kind::Retry,
+                             Kind::Tour};
   return std::ranges::find(alone, kind) != alone.end();
 }
 
@@ -113,14 +157,24 @@ ColonCommand parse_colon_command(std::string_view text) {
   return command;
 }
 
+std::vector<CommandWords> palette(std::string_view text) {
+  const std::size_t space = text.find(' ');
+  const bool known = space != std::string_view::npos;
+  std::vector<CommandWords> words;
+  for (const Entry* entry : meant_by(text.substr(0, space))) {
+    if (known && entry->name != text.substr(0, space)) continue;
+    words.push_back({fmt::format("{} {}", entry->name, entry->takes),
+                     std::string(entry->does)});
+  }
+  return words;
+}
+
 std::vector<std::string> completions(std::string_view text,
                                      const effects::TestContext& context) {
   std::vector<std::string> found;
   const std::size_t space = text.find(' ');
   if (space == std::string_view::npos) {
-    for (const auto& [name, kind] : commands) {
-      if (name.starts_with(text)) found.emplace_back(name);
-    }
+    for (const Entry* entry : meant_by(text)) found.emplace_back(entry->name);
     return found;
   }
   const std::string_view word = text.substr(0, space);
@@ -148,6 +202,8 @@ std::string completed(std::string_view text,
                       const effects::TestContext& context) {
   const std::vector<std::string> all = completions(text, context);
   if (all.empty()) return std::string(text);
+  const bool begins = all.front().starts_with(text);
+  if (!begins && all.size() > 1) return std::string(text);
   std::string common = all.front();
   for (const std::string& one : all) {
     const auto apart =

@@ -28,7 +28,8 @@ struct ColonCommand {
     Uff,
     Plot,
     Stop,
-    Retry
+    Retry,
+    Tour
   };
   Kind kind = Kind::Help;
   /// Effect of Add; what follows Drop to Band; file of Report to Plot.
@@ -43,6 +44,16 @@ struct ColonCommand {
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
+
+/// What is shown of a command while it is typed.
+struct CommandWords {
+  std::string usage;  ///< "drop HZ"
+  std::string does;
+};
+
+/// The commands that the text may be going on to: those that begin so or, where
+/// none does, hold its letters in this order; behind a blank the one alone.
+[[nodiscard]] std::vector<CommandWords> palette(std::string_view text);
 
 /// What the text may be going on to: commands by their names, after "add " the
 /// effects of the catalogue, and after '@' their places. Empty where nothing

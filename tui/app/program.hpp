@@ -57,6 +57,10 @@ class Program {
   void copy_with(std::function<void(const std::string&)> copy) {
     copy_ = std::move(copy);
   }
+  /// Says on each screen what is seen there, or no more.
+  void show_tour(bool shown) { tour_ = shown; }
+  /// What stands over the window: the test, and how far work is.
+  [[nodiscard]] std::string window_title() const;
   /// Work runs, whatever comes of it.
   [[nodiscard]] bool busy() const { return worker_.status().busy; }
 
@@ -133,6 +137,8 @@ class Program {
   void draw_work(Screen& screen, int y) const;
   void draw_question(Screen& screen, int y) const;
   void draw_live(Screen& screen) const;
+  void draw_tour(Screen& screen) const;
+  void draw_palette(Screen& screen) const;
   void draw_keys(Screen& screen, int y) const;
 
   Canvas canvas_;
@@ -152,6 +158,7 @@ class Program {
   bool message_is_error_ = false;
   std::optional<Replacement> asked_to_replace_;  ///< the next key answers
   bool message_is_to_wait_ = false;              ///< and ends with what runs
+  bool tour_ = false;
   bool help_open_ = false;
   int help_row_ = 0;  ///< the first line shown of a help that is too long
   std::function<void(const std::string&)> copy_;

@@ -62,7 +62,7 @@ std::vector<std::string> Program::help_lines() const {
   lines.emplace_back();
   std::vector<KeyHelp> all = page_keys();
   std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
-                                  {":", "command"},
+                                  {":", "commands"},
                                   {"u", "undo"},
                                   {"Ctrl-R", "redo"},
                                   {"r", "try again"},
@@ -79,12 +79,6 @@ std::vector<std::string> Program::help_lines() const {
     if (!known) all.push_back(key);
   }
   for (const std::string& line : key_lines(all, width)) lines.push_back(line);
-  lines.emplace_back();
-  lines.emplace_back(
-      ":q :help :add EFFECT@PLACE ... :toggle N :undo :redo :screen N :run N");
-  lines.emplace_back(
-      ":report [FILE] :deck [FILE] :uff [FILE] :plot [FILE] :stop :retry");
-  lines.emplace_back(":drop HZ :pick HZ :band LOW HIGH :pair I:K  (modes)");
   return fitted_lines(std::move(lines), text_box_rows(canvas_.height - bars));
 }
 

@@ -9,6 +9,7 @@
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/text_box.hpp"
 #include "tui/workbench/next_step.hpp"
+#include "tui/workbench/tour_words.hpp"
 
 #include <fmt/format.h>
 
@@ -123,6 +124,13 @@ long seconds_of(const WorkerStatus& status) {
       .count();
 }
 
+std::string Program::window_title() const {
+  std::string title = "tapfit";
+  if (known_.bundle) title += ": " + known_.bundle->title;
+  if (!shown_.busy) return title;
+  return fmt::format("{} % {}", std::lround(100.0 * shown_.fraction), title);
+}
+
 Screen Program::draw() const {
   if (canvas_.width < least_width || canvas_.height < least_height) {
     return too_small(canvas_);
@@ -138,7 +146,9 @@ Screen Program::draw() const {
 
 Screen Program::body(const Canvas& canvas) const {
   Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
+  draw_tour(screen);
   draw_live(screen);
+  draw_palette(screen);
   if (boxed()) {
     draw_text_box(
         screen,
@@ -147,6 +157,39 @@ Screen Program::body(const Canvas& canvas) const {
         {.colour = message_is_error_ ? Colour::Red : Colour::Default});
   }
   return screen;
+}
+
+/// At the foot, where least is hidden.
+void Program::draw_tour(Screen& screen) const {
+  if (!tour_) return;
+  const std::vector<std::string> lines =
+      wrapped(tour_words(current_, known_), std::min(screen.width() - 8, 72));
+  const int rows = static_cast<int>(lines.size()) + 2;
+  Screen box(Canvas{screen.width(), rows, screen.ascii()});
+  draw_text_box(box, "tour (:tour ends it)", lines, {.colour = Colour::Sky});
+  screen.place(0, screen.height() - rows, box);
+}
+
+/// Above the line that is typed: the commands that it may be.
+void Program::draw_palette(Screen& screen) const {
+  if (mode_ != Mode::Colon) return;
+  std::vector<CommandWords> words = palette(typed_);
+  const int most = std::max(screen.height() - 4, 0);
+  if (static_cast<int>(words.size()) > most) {
+    words.resize(static_cast<std::size_t>(most));
+  }
+  if (words.empty()) return;
+  const int rows = static_cast<int>(words.size()) + 2;
+  const Rect rect{
+      0, screen.height() - rows, std::min(screen.width(), 72), rows};
+  screen.fill(rect, U' ');
+  screen.box(rect, "command (Tab completes)", {.colour = Colour::Sky});
+  constexpr int usage_width = 26;
+  int y = rect.y;
+  for (const CommandWords& one : words) {
+    screen.text(2, ++y, one.usage, {.bold = true}, usage_width);
+    screen.text(2 + usage_width, y, one.does, {}, rect.width - usage_width - 3);
+  }
 }
 
 /// How a fit that was asked for goes on, in the lower right corner.

@@ -125,6 +125,8 @@ void Program::run_colon(const std::string& text) {
       return running_ ? stop_work() : tell("nothing runs");
     case Kind::Retry:
       return retry();
+    case Kind::Tour:
+      return show_tour(!tour_);
     case Kind::Screen:
       return show_screen(command.number - 1);
   }

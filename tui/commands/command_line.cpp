@@ -1,5 +1,6 @@
 #include "tui/commands/command_line.hpp"
 
+#include "tui/commands/command_table.hpp"
 #include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/library_versions.hpp"
@@ -8,7 +9,6 @@
 #include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
 #include "tui/practice/challenge_command.hpp"
-#include "tui/practice/reveal_command.hpp"
 #include "tui/practice/score_command.hpp"
 #include "tui/practice/simulate_command.hpp"
 
@@ -25,30 +25,7 @@
 namespace tapfit::tui {
 namespace {
 
-/// Options a command has besides --json.
-enum Extra : unsigned {
-  None = 0,
-  Uff = 1,
-  DeckFile = 2,
-  Output = 4,
-  Effects = 8,
-  Modes = 16,
-  Node = 32,
-  SavedFile = 64,
-  TextOnly = 128,
-  Free = 256,
-  Regularisation = 512,
-  Identify = 1024,
-  Mac = 2048,
-  Speed = 4096,
-  Estimate = 8192,
-  Mass = 16384,
-  ByHand = 32768,
-  Pairs = 65536,
-  BodyMass = 131072,
-  Robustness = 262144,
-  Forecast = 524288,
-};
+using enum CommandEntry::Option;
 
 /// A command that reads its own command line.
 struct OwnEntry {
@@ -65,113 +42,6 @@ constexpr std::array<OwnEntry, 3> own_entries{{
     {"score", "Diagnose practice cases and count", score_command},
 }};
 
-struct Entry {
-  const char* name;
-  const char* does;
-  Command command;
-  unsigned extras;
-  const char* table = nullptr;   ///< what --csv prints of its JSON
-  const char* input = "BUNDLE";  ///< null: none is read
-  const char* alias = nullptr;   ///< an older name
-};
-
-constexpr std::array<Entry, 20> entries{{
-    {"run",
-     "The whole chain, recording to error ladder",
-     run_command,
-     ByHand | Pairs},
-    {"hits", "Hits found and judged", hits_command, None, "runs.hits"},
-    {"frf",
-     "Frequency response functions and their quality",
-     frf_command,
-     Uff | Free | Estimate,
-     "frfs"},
-    {"check",
-     "Check a test before any model",
-     check_command,
-     BodyMass,
-     "findings",
-     "BUNDLE",
-     "quality"},
-    {"calibrate",
-     "Sensors against the hammer, on a known mass",
-     calibrate_command,
-     Mass,
-     "calibration"},
-    {"replay",
-     "The test as if it were being measured",
-     replay_command,
-     Uff | Speed},
-    {"modes",
-     "Identified modes",
-     modes_command,
-     Uff | Identify | ByHand,
-     "modes"},
-    {"mac",
-     "Two sets of modes against each other, or one against itself",
-     mac_command,
-     Mac | Pairs,
-     "pairs",
-     "MODES"},
-    {"model",
-     "Summarise a deck, and its modes",
-     model_command,
-     Modes,
-     nullptr,
-     "DECK"},
-    {"uff",
-     "What a universal file holds",
-     uff_command,
-     None,
-     "functions",
-     "FILE"},
-    {"compare",
-     "Model against measurement",
-     compare_command,
-     ByHand | Pairs,
-     "pairs"},
-    {"diagnose",
-     "What is missing from the model",
-     diagnose_command,
-     ByHand | Robustness,
-     "candidates"},
-    {"signature",
-     "Missing dynamic stiffness at a grid",
-     signature_command,
-     Node},
-    {"update",
-     "Identify uncertain properties and the effects named",
-     update_command,
-     Effects | Regularisation | ByHand | Pairs,
-     "ladder"},
-    {"predict",
-     "What a known change will do, with intervals",
-     predict_command,
-     Uff | Forecast | ByHand | Pairs,
-     "modes"},
-    {"session", "Re-run a saved session", session_command, SavedFile | Output},
-    {"report",
-     "A report of the finished work, HTML or Markdown",
-     report_command,
-     Output | TextOnly | ByHand | Pairs},
-    {"export",
-     "Write FRFs, modes and the updated deck",
-     export_command,
-     Uff | DeckFile | Effects},
-    {"doctor",
-     "Check the terminal, the cache and the machine",
-     doctor_command,
-     None,
-     "checks",
-     nullptr},
-    {"reveal",
-     "What a challenge hides, beside what was found",
-     reveal_command,
-     None,
-     nullptr,
-     "FOLDER"},
-}};
-
 void add_inside(CLI::App& command, CommandOptions& options) {
   command.add_flag("--inside",
                    options.inside,
@@ -181,7 +51,7 @@ void add_inside(CLI::App& command, CommandOptions& options) {
 /// One of the tables that the JSON holds, the command's own where none is
 /// named.
 void add_formats(CLI::App& command,
-                 const Entry& entry,
+                 const CommandEntry& entry,
                  CommandOptions& options) {
   auto* json =
       command.add_flag("--json", options.json, "Print one JSON object");
@@ -195,7 +65,9 @@ void add_formats(CLI::App& command,
       ->excludes(json);
 }
 
-void add_command(CLI::App& app, const Entry& entry, Invocation& invocation) {
+void add_command(CLI::App& app,
+                 const CommandEntry& entry,
+                 Invocation& invocation) {
   CLI::App* command = app.add_subcommand(entry.name, entry.does);
   if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
@@ -285,6 +157,17 @@ void add_import(CLI::App& app, Invocation& invocation) {
   });
 }
 
+void add_tour(CLI::App& app, Invocation& invocation) {
+  CLI::App* command = app.add_subcommand(
+      "tour", "The terminal with words on what is seen: of the demonstration");
+  add_terminal_options(*command, invocation.options.input, invocation.app);
+  add_inside(*command, invocation.options);
+  command->callback([&invocation] {
+    invocation.name = "tour";
+    invocation.app.tour = true;
+  });
+}
+
 void add_paper(CLI::App& app, Invocation& invocation) {
   CLI::App* command = app.add_subcommand(
       "paper", "The published tables beside the program's own");
@@ -344,7 +227,9 @@ CommandLineAnswer answer_to(const CLI::App& app,
 
 std::vector<std::string> command_names() {
   std::vector<std::string> names;
-  for (const Entry& entry : entries) names.emplace_back(entry.name);
+  for (const CommandEntry& entry : command_table())
+    names.emplace_back(entry.name);
+  names.emplace_back("tour");
   names.emplace_back("import");
   names.emplace_back("paper");
   for (const OwnEntry& entry : own_entries) names.emplace_back(entry.name);
@@ -362,7 +247,9 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
   app.require_subcommand(0, 1);
   add_terminal_options(app, invocation.options.input, invocation.app);
   add_inside(app, invocation.options);
-  for (const Entry& entry : entries) add_command(app, entry, invocation);
+  for (const CommandEntry& entry : command_table())
+    add_command(app, entry, invocation);
+  add_tour(app, invocation);
   add_import(app, invocation);
   add_paper(app, invocation);
   const auto misspelt = [&] {

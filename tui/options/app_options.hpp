@@ -13,6 +13,8 @@ struct AppOptions {
   bool blocks = false;  ///< no braille dots
   bool light = false;   ///< the terminal's background is light ...
   bool dark = false;    ///< ... or dark, whatever COLORFGBG says
+  bool tour = false;    ///< with words on what is seen; of no bundle: of the
+                        ///< demonstration
   bool inside = false;  ///< read nothing from outside the bundle's folder
   /// A key script (key_script.hpp) replayed without a terminal; the screens
   /// it asks for, or else the last one, go to standard output as text.

@@ -6,6 +6,7 @@
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/palette.hpp"
 #include "tui/screen/terminal_traits.hpp"
+#include "tui/screen/window_title.hpp"
 
 #include <ncurses.h>
 
@@ -242,6 +243,12 @@ void start_screen() {
   }
 }
 
+/// What ncurses does not know of.
+void send(const std::string& sequence) {
+  std::fwrite(sequence.data(), 1, sequence.size(), stdout);
+  std::fflush(stdout);
+}
+
 /// Keeps standard error away from the screen until it is destroyed.
 class HeldErrors {
  public:
@@ -278,6 +285,7 @@ struct Terminal::Impl {
   std::optional<HeldErrors> errors;
   Colours colours = Colours::None;
   bool blocks = false;
+  std::string title;  ///< of the window, where it was named
 };
 
 Terminal::Terminal(const TerminalOptions& options)
@@ -316,6 +324,7 @@ Terminal::~Terminal() {
   for (const int crash : crashes) set_handler(crash, SIG_DFL);
   for (const int ending : endings) set_handler(ending, SIG_DFL);
   endwin();
+  if (!impl_->title.empty()) send(fetch_title);
   // Without a screen of its own the last one stays, and the prompt goes on it.
   if (!is_able("smcup")) std::fputs("\n", stdout);
 }
@@ -351,11 +360,14 @@ void Terminal::show(const Screen& screen) {
   refresh();
 }
 
-void Terminal::copy(const std::string& text) {
-  const std::string sequence = clipboard_sequence(text);
-  std::fwrite(sequence.data(), 1, sequence.size(), stdout);
-  std::fflush(stdout);
+void Terminal::name_window(const std::string& title) {
+  if (title == impl_->title || !has_window_title(std::getenv("TERM"))) return;
+  if (impl_->title.empty()) send(put_title_aside);
+  impl_->title = title;
+  send(title_sequence(title));
 }
+
+void Terminal::copy(const std::string& text) { send(clipboard_sequence(text)); }
 
 void Terminal::suspend() {
   // ncurses' own handler leaves the screen, stops, and comes back to it.

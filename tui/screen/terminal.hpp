@@ -33,6 +33,8 @@ class Terminal {
   void show(const Screen& screen);
   /// The next key, or nothing within the time.
   [[nodiscard]] std::optional<Key> read_key(int milliseconds);
+  /// Names its window, where it has one; the shell's name comes back.
+  void name_window(const std::string& title);
   /// Puts text into its clipboard, where it has one.
   void copy(const std::string& text);
   /// Gives the terminal back to the shell until the user takes it up again.

@@ -170,7 +170,7 @@ bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
   const CompareInput input = input_of(known);
   if (input.frfs.frfs.empty()) return press_modes_alone(input, key, command);
   if (key == U'x') {
-    state_.log = !state_.log;
+    state_.scale = next(state_.scale);
   } else if (key == keys::tab) {
     constexpr int all = static_cast<int>(Focus::Structure) + 1;
     state_.focus =
@@ -210,7 +210,7 @@ std::vector<KeyHelp> ComparePage::keys() const {
   return {{"Tab", "next pane"},
           {"j k h l", what},
           {"Enter", state_.focus == Focus::Mac ? "open modes" : "open FRF"},
-          {"x", "log/linear"},
+          {"x", "log/lin/dB"},
           {"+ -", "zoom"},
           {"_", "whole band"},
           {"[ ]", "pan"},

@@ -212,7 +212,7 @@ void draw_overlay(Screen& screen,
                   std::size_t selected) {
   const signal::Frf& frf = input.frfs.frfs[selected];
   const Eigen::VectorXd f = input.frfs.frequency_hz();
-  Plot plot = frf_plot(input.frfs, state.range, state.log);
+  Plot plot = frf_plot(input.frfs, state.range);
   plot.title = signal::name(frf);
   plot.curves.push_back(measured_curve("measured", f, frf, false));
   if (selected < input.comparison.model_frfs.size()) {
@@ -222,6 +222,7 @@ void draw_overlay(Screen& screen,
                         input.comparison.model_frfs[selected],
                         {Colour::Orange, Pattern::Dashed, 'o'}));
   }
+  plot = in_scale(std::move(plot), state.scale);
   const std::vector<std::string> lines =
       wrapped(plot.cursor ? read_out(plot, *plot.cursor)
                           : contour_words(input.comparison.contour),

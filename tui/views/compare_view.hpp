@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tui/views/compared_modes.hpp"
+#include "tui/views/frf_curves.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
 
@@ -13,7 +14,7 @@ namespace tapfit::tui {
 struct CompareState {
   ListState list;   ///< FRFs
   PlotRange range;  ///< [Hz]
-  bool log = true;
+  MagnitudeScale scale = MagnitudeScale::Logarithmic;
   /// What the keys move in.
   enum class Focus { Frfs, Map, Pairs, Mac, Structure } focus = Focus::Frfs;
   std::size_t band = 0;  ///< column of the map

@@ -29,7 +29,7 @@ void draw_driving(Screen& screen,
                   const PlotRange& range) {
   const Frf& frf = frfs.frfs[point.frf];
   const Eigen::VectorXd f = frfs.frequency_hz();
-  Plot plot = frf_plot(frfs, range, false);
+  Plot plot = frf_plot(frfs, range);
   plot.y.label = "Im H";
   plot.title = signal::name(frf) + ": every peak must point upwards";
   plot.curves.push_back({"", f, frf.H.imag(), {}, {}, {Colour::Sky}});
@@ -56,8 +56,8 @@ void draw_pair(Screen& screen,
                const PlotRange& range) {
   const Eigen::VectorXd f = frfs.frequency_hz();
   const auto [upper, lower] = split_top(rect, rect.height * 2 / 3);
-  Plot size = frf_plot(frfs, range, true);
-  Plot phase = frf_plot(frfs, range, false);
+  Plot size = frf_plot(frfs, range);
+  Plot phase = frf_plot(frfs, range);
   size.x_labels = false;
   phase.y = {"phase", "deg", -190.0, 190.0, false};
   const Pen pens[]{{Colour::Sky}, {Colour::Orange, Pattern::Dashed, 'o'}};
@@ -68,7 +68,8 @@ void draw_pair(Screen& screen,
         magnitude_curve(signal::name(frf), f, frf.H, pens[i]));
     phase.curves.push_back(phase_curve("", f, frf.H, pens[i]));
   }
-  draw_plot(screen, upper, size);
+  draw_plot(
+      screen, upper, in_scale(std::move(size), MagnitudeScale::Logarithmic));
   draw_plot(screen, lower, phase);
 }
 

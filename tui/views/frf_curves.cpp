@@ -8,6 +8,38 @@
 
 namespace tapfit::tui {
 
+const char* unit_of(signal::FrfForm form) {
+  if (form == signal::FrfForm::Receptance) return "m/N";
+  return form == signal::FrfForm::Mobility ? "(m/s)/N" : accelerance_unit;
+}
+
+signal::FrfForm next(signal::FrfForm form) {
+  using signal::FrfForm;
+  if (form == FrfForm::Accelerance) return FrfForm::Mobility;
+  return form == FrfForm::Mobility ? FrfForm::Receptance : FrfForm::Accelerance;
+}
+
+MagnitudeScale next(MagnitudeScale scale) {
+  if (scale == MagnitudeScale::Logarithmic) return MagnitudeScale::Linear;
+  return scale == MagnitudeScale::Linear ? MagnitudeScale::Decibels
+                                         : MagnitudeScale::Logarithmic;
+}
+
+double decibels(double magnitude) { return 20.0 * std::log10(magnitude); }
+
+// Nothing at all is no number of decibels, and leaves a gap.
+Plot in_scale(Plot plot, MagnitudeScale scale) {
+  plot.y.log = scale == MagnitudeScale::Logarithmic;
+  if (scale != MagnitudeScale::Decibels) return plot;
+  plot.y.unit = "dB re 1 " + plot.y.unit;
+  for (Curve& curve : plot.curves) {
+    for (Eigen::VectorXd* values : {&curve.y, &curve.low, &curve.high}) {
+      *values = values->unaryExpr(&decibels);
+    }
+  }
+  return plot;
+}
+
 Curve magnitude_curve(const std::string& label,
                       const Eigen::VectorXd& frequency_hz,
                       const Eigen::VectorXcd& H,
@@ -64,12 +96,14 @@ double line_spacing(const signal::FrfSet& frfs) {
   return (span.hi - span.lo) / static_cast<double>(frfs.lines() - 1);
 }
 
-Plot frf_plot(const signal::FrfSet& frfs, const PlotRange& range, bool log) {
+Plot frf_plot(const signal::FrfSet& frfs,
+              const PlotRange& range,
+              signal::FrfForm form) {
   const FrequencySpan span = frequency_span(frfs);
   const PlotRange shown = resolved(range, span.lo, span.hi);
   Plot plot;
   plot.x = {"f", "Hz", shown.lo, shown.hi, false};
-  plot.y = {"|H|", accelerance_unit, 0.0, 0.0, log};
+  plot.y = {"|H|", unit_of(form), 0.0, 0.0, false};
   if (shown.cursor_set) plot.cursor = shown.cursor;
   return plot;
 }

@@ -1,6 +1,7 @@
 // FRFs as curves for plots.
 #pragma once
 
+#include "signal/frf_set/convert.hpp"
 #include "signal/frf_set/frf_set.hpp"
 #include "tui/widgets/plot.hpp"
 #include "tui/widgets/plot_range.hpp"
@@ -11,11 +12,25 @@
 
 namespace tapfit::tui {
 
+[[nodiscard]] const char* unit_of(signal::FrfForm form);
+
 inline constexpr const char* accelerance_unit = "(m/s²)/N";
 
+/// Accelerance, mobility, receptance, and round again.
+[[nodiscard]] signal::FrfForm next(signal::FrfForm form);
+
+/// How magnitudes are drawn.
+enum class MagnitudeScale { Logarithmic, Linear, Decibels };
+[[nodiscard]] MagnitudeScale next(MagnitudeScale scale);
+
+/// Of one magnitude.
+[[nodiscard]] double decibels(double magnitude);
+
+/// A plot of magnitudes in that scale: 20 log10 |H| for decibels.
+[[nodiscard]] Plot in_scale(Plot plot, MagnitudeScale scale);
+
 /// @param frequency_hz one per line of H
-/// @param H accelerance [(m/s^2)/N]; a length other than the frequencies'
-///   gives an empty curve
+/// @param H a length other than the frequencies' gives an empty curve
 [[nodiscard]] Curve magnitude_curve(const std::string& label,
                                     const Eigen::VectorXd& frequency_hz,
                                     const Eigen::VectorXcd& H,
@@ -43,9 +58,10 @@ struct FrequencySpan {
 /// Distance between neighbouring lines, 0 with fewer than two.
 [[nodiscard]] double line_spacing(const signal::FrfSet& frfs);
 
-/// An empty magnitude plot over the range's stretch, with its cursor.
-[[nodiscard]] Plot frf_plot(const signal::FrfSet& frfs,
-                            const PlotRange& range,
-                            bool log);
+/// An empty plot of magnitudes over the range's stretch, with its cursor.
+[[nodiscard]] Plot frf_plot(
+    const signal::FrfSet& frfs,
+    const PlotRange& range,
+    signal::FrfForm form = signal::FrfForm::Accelerance);
 
 }  // namespace tapfit::tui

@@ -37,8 +37,8 @@ Pen pen_of(std::size_t place) {
   return pens[place % pens.size()];
 }
 
-Plot empty_plot(const FrfChoice& choice, const FrfState& state, bool log) {
-  Plot plot = frf_plot(choice.frfs, state.range, log);
+Plot empty_plot(const FrfChoice& choice, const FrfState& state) {
+  Plot plot = frf_plot(choice.frfs, state.range, choice.form);
   plot.x.log = state.log_f && plot.x.lo > 0.0;
   if (state.mark) {
     const double other = plot.cursor.value_or(*state.mark);
@@ -50,26 +50,26 @@ Plot empty_plot(const FrfChoice& choice, const FrfState& state, bool log) {
 }
 
 Plot magnitude_plot(const FrfChoice& choice, const FrfState& state) {
-  Plot plot = empty_plot(choice, state, state.log);
+  Plot plot = empty_plot(choice, state);
   const Eigen::VectorXd f = choice.frfs.frequency_hz();
-  for (std::size_t i = 0; i < choice.shown.size(); ++i) {
-    const Frf& frf = choice.frfs.frfs[choice.shown[i]];
+  for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
+    const Frf& frf = choice.frfs.frfs[i];
     Curve curve =
         measured_curve(signal::name(frf), f, frf, state.band && i == 0);
     curve.pen = pen_of(i);
     plot.curves.push_back(std::move(curve));
   }
-  return plot;
+  return in_scale(std::move(plot), state.scale);
 }
 
 Plot strip_plot(const FrfChoice& choice, const FrfState& state) {
-  Plot plot = empty_plot(choice, state, false);
+  Plot plot = empty_plot(choice, state);
   const bool phase = state.panel == Panel::Phase;
   plot.y = phase ? Axis{"phase", "deg", -190.0, 190.0, false}
                  : Axis{"coherence", "", -0.02, 1.05, false};
   const Eigen::VectorXd f = choice.frfs.frequency_hz();
-  for (std::size_t i = 0; i < choice.shown.size(); ++i) {
-    const Frf& frf = choice.frfs.frfs[choice.shown[i]];
+  for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
+    const Frf& frf = choice.frfs.frfs[i];
     if (phase) {
       plot.curves.push_back(phase_curve("", f, frf.H, pen_of(i)));
     } else if (frf.coherence.size() == f.size()) {
@@ -81,11 +81,11 @@ Plot strip_plot(const FrfChoice& choice, const FrfState& state) {
 
 /// Real (or imaginary) parts.
 Plot part_plot(const FrfChoice& choice, const FrfState& state, bool real) {
-  Plot plot = empty_plot(choice, state, false);
+  Plot plot = empty_plot(choice, state);
   plot.y.label = real ? "Re H" : "Im H";
   const Eigen::VectorXd f = choice.frfs.frequency_hz();
-  for (std::size_t i = 0; i < choice.shown.size(); ++i) {
-    const Frf& frf = choice.frfs.frfs[choice.shown[i]];
+  for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
+    const Frf& frf = choice.frfs.frfs[i];
     if (frf.H.size() != f.size()) continue;
     Curve curve{real ? signal::name(frf) : "", f, {}, {}, {}, pen_of(i)};
     curve.y =
@@ -131,11 +131,13 @@ std::pair<Index, Index> nyquist_lines(const FrfSet& frfs,
   return {at(range.lo), std::clamp<Index>(at(range.hi), 0, last)};
 }
 
-std::string circle_words(const modal::PeakFit& fit, int width) {
+std::string circle_words(const modal::PeakFit& fit,
+                         signal::FrfForm form,
+                         int width) {
   const std::string hz = number(fit.frequency_hz(), 6);
   const std::string damping = number(100.0 * fit.damping_ratio(), 4);
   const std::string size =
-      fmt::format("{} {}", number(2.0 * fit.radius), accelerance_unit);
+      fmt::format("{} {}", number(2.0 * fit.radius), unit_of(form));
   return fitting(
       {fmt::format("{} Hz, damping {} %, diameter {}", hz, damping, size),
        fmt::format("{} Hz, {} %, diam. {}", hz, damping, size)},
@@ -147,7 +149,7 @@ void draw_nyquist(Screen& screen,
                   const FrfChoice& choice,
                   const FrfState& state) {
   const FrfSet& frfs = choice.frfs;
-  const Frf& frf = frfs.frfs[choice.shown.front()];
+  const Frf& frf = choice.selected();
   const Index peak = chosen_peak(frfs, frf, state.range);
   const std::optional<modal::PeakFit> fit =
       modal::fit_peak(frfs.s, frf.H, peak);
@@ -155,11 +157,11 @@ void draw_nyquist(Screen& screen,
   if (last <= first) return;
   PlanePlot plot;
   plot.title = signal::name(frf);
-  plot.x_label = std::string("Re H [") + accelerance_unit + "]";
-  plot.y_label = std::string("Im H [") + accelerance_unit + "]";
-  for (std::size_t i = 0; i < choice.shown.size(); ++i) {
+  plot.x_label = fmt::format("Re H [{}]", unit_of(choice.form));
+  plot.y_label = fmt::format("Im H [{}]", unit_of(choice.form));
+  for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
     const Eigen::VectorXcd part =
-        frfs.frfs[choice.shown[i]].H.segment(first, last - first + 1);
+        frfs.frfs[i].H.segment(first, last - first + 1);
     plot.paths.push_back({"", part.real(), part.imag(), pen_of(i), true});
   }
   if (fit) {
@@ -191,13 +193,35 @@ void draw_nyquist(Screen& screen,
               lines.width - 1);
   screen.text(lines.x + 1,
               lines.y + 1,
-              fit ? circle_words(*fit, lines.width - 1)
+              fit ? circle_words(*fit, choice.form, lines.width - 1)
                   : "no circle: no resonance at the cursor",
               {},
               lines.width - 1);
 }
 
 }  // namespace
+
+FrfChoice chosen_frfs(const FrfSet& frfs,
+                      const std::vector<std::size_t>& shown,
+                      signal::FrfForm form) {
+  constexpr auto measured = signal::FrfForm::Accelerance;
+  FrfChoice choice;
+  choice.frfs.s = frfs.s;
+  choice.form = form;
+  for (const std::size_t k : shown) {
+    Frf frf = frfs.frfs[k];
+    if (form != measured && frf.H.size() == frfs.s.size()) {
+      const Eigen::VectorXcd factor = signal::convert(
+          Eigen::VectorXcd::Ones(frfs.s.size()), frfs.s, measured, form);
+      frf.H = frf.H.cwiseProduct(factor);
+      if (frf.variance.size() == factor.size()) {
+        frf.variance = frf.variance.cwiseProduct(factor.cwiseAbs2());
+      }
+    }
+    choice.frfs.frfs.push_back(std::move(frf));
+  }
+  return choice;
+}
 
 Index chosen_peak(const FrfSet& frfs, const Frf& frf, const PlotRange& range) {
   const Eigen::VectorXd size = frf.H.cwiseAbs();

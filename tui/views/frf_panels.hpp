@@ -11,11 +11,21 @@
 
 namespace tapfit::tui {
 
-/// What is drawn: the selected FRF first.
+/// What is drawn: the selected FRF first, all as accelerance, mobility or
+/// receptance.
 struct FrfChoice {
-  const signal::FrfSet& frfs;
-  std::vector<std::size_t> shown;
+  signal::FrfSet frfs;
+  signal::FrfForm form = signal::FrfForm::Accelerance;
+
+  [[nodiscard]] const signal::Frf& selected() const {
+    return frfs.frfs.front();
+  }
 };
+
+/// @param shown places of some in the set, the selected one first
+[[nodiscard]] FrfChoice chosen_frfs(const signal::FrfSet& frfs,
+                                    const std::vector<std::size_t>& shown,
+                                    signal::FrfForm form);
 
 void draw_panel(Screen& screen,
                 const Rect& rect,

@@ -16,11 +16,24 @@ using Eigen::Index;
 using signal::Frf;
 using signal::FrfSet;
 
+/// "3.21 (m/s²)/N", or "10.1 dB".
+std::string size_words(double magnitude,
+                       const FrfChoice& choice,
+                       MagnitudeScale scale) {
+  return scale == MagnitudeScale::Decibels
+             ? fixed(decibels(magnitude), 1) + " dB"
+             : fmt::format("{} {}", number(magnitude), unit_of(choice.form));
+}
+
 /// Between the band cursor's ends: its width, the rms of |H|, the peak, and
 /// the coherence.
-std::string band_text(
-    const FrfSet& frfs, const Frf& frf, double from, double to, int width) {
-  const Eigen::VectorXd f = frfs.frequency_hz();
+std::string band_text(const FrfChoice& choice,
+                      MagnitudeScale scale,
+                      double from,
+                      double to,
+                      int width) {
+  const Frf& frf = choice.selected();
+  const Eigen::VectorXd f = choice.frfs.frequency_hz();
   double power = 0.0;
   double coherence = 0.0;
   Index peak = -1;
@@ -38,7 +51,7 @@ std::string band_text(
       fmt::format("{} to {} Hz", fixed(from, 2), fixed(to, 2));
   const std::string width_hz = fixed(to - from, 2);
   const std::string rms =
-      fmt::format("rms {} {}", number(std::sqrt(power / n)), accelerance_unit);
+      "rms " + size_words(std::sqrt(power / n), choice, scale);
   const std::string peak_hz = fixed(f[peak], 2) + " Hz";
   const std::string mean = fixed(coherence / n, 4);
   return fitting(
@@ -59,38 +72,47 @@ std::string band_text(
 }
 
 std::string all_sizes(const FrfChoice& choice,
+                      MagnitudeScale scale,
                       Index line,
                       double hz,
                       int width) {
+  const bool in_decibels = scale == MagnitudeScale::Decibels;
   std::vector<std::string> sizes;
-  for (const std::size_t i : choice.shown) {
-    const Frf& frf = choice.frfs.frfs[i];
+  for (const Frf& frf : choice.frfs.frfs) {
+    const double size = std::abs(frf.H[line]);
     sizes.push_back(
-        fmt::format("{} {}", signal::name(frf), number(std::abs(frf.H[line]))));
+        fmt::format("{} {}",
+                    signal::name(frf),
+                    in_decibels ? fixed(decibels(size), 1) : number(size)));
   }
-  return listed(
-      fmt::format("{} Hz  |H| in {}  ", fixed(hz, 3), accelerance_unit),
-      sizes,
-      "  ",
-      width);
+  return listed(fmt::format("{} Hz  |H| in {}  ",
+                            fixed(hz, 3),
+                            in_decibels ? "dB" : unit_of(choice.form)),
+                sizes,
+                "  ",
+                width);
 }
 
-std::string one_line(
-    const FrfSet& frfs, const Frf& frf, Index at, bool as_parts, int width) {
+std::string one_line(const FrfChoice& choice,
+                     MagnitudeScale scale,
+                     Index at,
+                     bool as_parts,
+                     int width) {
+  const FrfSet& frfs = choice.frfs;
+  const Frf& frf = choice.selected();
   const double hz = frfs.frequency_hz()[at];
   const double phase = std::arg(frf.H[at]) * 180.0 / std::numbers::pi;
   const auto said = [&](const char* gap, const char* coherence) {
-    const std::string value = as_parts
-                                  ? fmt::format("Re {}{}Im {} {}",
-                                                number(frf.H[at].real()),
-                                                gap,
-                                                number(frf.H[at].imag()),
-                                                accelerance_unit)
-                                  : fmt::format("|H| {} {}{}∠ {}°",
-                                                number(std::abs(frf.H[at])),
-                                                accelerance_unit,
-                                                gap,
-                                                fixed(phase, 1));
+    const std::string value =
+        as_parts ? fmt::format("Re {}{}Im {} {}",
+                               number(frf.H[at].real()),
+                               gap,
+                               number(frf.H[at].imag()),
+                               unit_of(choice.form))
+                 : fmt::format("|H| {}{}∠ {}°",
+                               size_words(std::abs(frf.H[at]), choice, scale),
+                               gap,
+                               fixed(phase, 1));
     std::string text = fmt::format("{} Hz{}{}", fixed(hz, 3), gap, value);
     if (frf.coherence.size() == frfs.lines()) {
       text +=
@@ -113,7 +135,7 @@ std::string frf_read_out(const FrfChoice& choice,
                          const FrfState& state,
                          int width) {
   const FrfSet& frfs = choice.frfs;
-  const Frf& frf = frfs.frfs[choice.shown.front()];
+  const Frf& frf = choice.selected();
   const Eigen::VectorXd f = frfs.frequency_hz();
   if (f.size() == 0 || frf.H.size() != f.size()) return "no lines";
   const PlotRange& range = state.range;
@@ -125,18 +147,20 @@ std::string frf_read_out(const FrfChoice& choice,
                        number(frfs.s[0].real(), 3));
   }
   if (state.mark) {
-    return band_text(frfs,
-                     frf,
+    return band_text(choice,
+                     state.scale,
                      std::min(*state.mark, range.cursor),
                      std::max(*state.mark, range.cursor),
                      width);
   }
   Index at = 0;
   (f.array() - range.cursor).abs().minCoeff(&at);
-  if (choice.shown.size() > 1) return all_sizes(choice, at, f[at], width);
+  if (frfs.frfs.size() > 1) {
+    return all_sizes(choice, state.scale, at, f[at], width);
+  }
   const bool as_parts = state.panel == FrfState::Panel::Parts ||
                         state.panel == FrfState::Panel::Nyquist;
-  return one_line(frfs, frf, at, as_parts, width);
+  return one_line(choice, state.scale, at, as_parts, width);
 }
 
 }  // namespace tapfit::tui

@@ -1,6 +1,7 @@
 // What is chosen on the screen of FRFs.
 #pragma once
 
+#include "tui/views/frf_curves.hpp"
 #include "tui/widgets/plot_range.hpp"
 #include "tui/widgets/table.hpp"
 
@@ -12,8 +13,9 @@ namespace tapfit::tui {
 
 struct FrfState {
   ListState list;
-  PlotRange range;     ///< [Hz]
-  bool log = true;     ///< magnitude
+  PlotRange range;  ///< [Hz]
+  MagnitudeScale scale = MagnitudeScale::Logarithmic;
+  signal::FrfForm form = signal::FrfForm::Accelerance;
   bool log_f = false;  ///< frequency
   bool band = true;    ///< the confidence band
   enum class Panel {

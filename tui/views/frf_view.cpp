@@ -92,17 +92,16 @@ void draw_frf_side(Screen& screen,
                    const Rect& side,
                    const FrfSet& frfs,
                    const FrfState& state,
-                   std::size_t selected) {
-  const Table peaks = peak_table(frfs, frfs.frfs[selected]);
+                   const FrfChoice& choice) {
+  const Table peaks = peak_table(choice.frfs, choice.selected());
   const int wanted = static_cast<int>(peaks.rows.size()) + 1;
   const int rows = side.height >= 16 ? std::min(wanted, side.height / 3) : 0;
   const auto [list, below] = split_top(side, side.height - rows);
   draw_table(screen, list, frf_table(frfs, state.tagged), state.list, true);
   if (rows == 0) return;
-  const Eigen::VectorXd f = frfs.frequency_hz();
-  const Index at = chosen_peak(frfs, frfs.frfs[selected], state.range);
+  const Index at = chosen_peak(choice.frfs, choice.selected(), state.range);
   Table marked = peaks;
-  const auto lines = modal::peak_lines(frfs.frfs[selected]);
+  const auto lines = modal::peak_lines(choice.selected());
   ListState near;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i] != at) continue;
@@ -151,7 +150,8 @@ Screen frf_view(const FrfSet& frfs,
   }
   const Rect all{0, 0, canvas.width, canvas.height - 1};
   const std::size_t selected = selected_frf(frfs, state, checks);
-  const FrfChoice choice{frfs, shown_frfs(frfs, state, selected)};
+  const FrfChoice choice =
+      chosen_frfs(frfs, shown_frfs(frfs, state, selected), state.form);
   if (state.checks && checks != nullptr) {
     draw_checks(screen, all, frfs, *checks, state.check_list, state.range);
   } else if (state.checks) {
@@ -159,7 +159,7 @@ Screen frf_view(const FrfSet& frfs,
   } else {
     const int side_width = std::min(canvas.width * 3 / 8, 38);
     const auto [side, body] = split_left(all, side_width);
-    draw_frf_side(screen, side, frfs, state, selected);
+    draw_frf_side(screen, side, frfs, state, choice);
     draw_panel(screen, body, choice, state);
   }
   screen.text(1,
@@ -193,7 +193,9 @@ bool FrfPage::press_view(const Snapshot& known, Key key) {
   const Table table = frf_table(frfs, state_.tagged);
   const std::size_t selected = settled(table, state_.list);
   if (key == U'x') {
-    state_.log = !state_.log;
+    state_.scale = next(state_.scale);
+  } else if (key == U'v') {
+    state_.form = next(state_.form);
   } else if (key == U'X') {
     state_.log_f = !state_.log_f;
   } else if (key == U'b') {
@@ -209,7 +211,7 @@ bool FrfPage::press_view(const Snapshot& known, Key key) {
     if (state_.tagged.erase(selected) == 0) state_.tagged.insert(selected);
     static_cast<void>(list_key(state_.list, table, keys::down));
   } else if (key == U'*') {
-    for (const std::size_t row : visible_rows(table, state_.list.filter)) {
+    for (const std::size_t row : visible_rows(table, state_.list)) {
       state_.tagged.insert(row);
     }
   } else if (key == U'T') {
@@ -281,7 +283,9 @@ bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
     command.message = "there is nothing to check; d goes back to the FRFs";
     return true;
   }
-  if (list_key(*list(), table, key)) return true;
+  if (list_key(*list(), table, key) || sort_key(*list(), table, key)) {
+    return true;
+  }
   const FrequencySpan span = frequency_span(frfs);
   return range_key(state_.range, key, span.lo, span.hi, line_spacing(frfs));
 }
@@ -302,13 +306,14 @@ std::vector<KeyHelp> FrfPage::keys() const {
             {"/", "filter"}};
   }
   return {
-      {"Tab", "next plot"},     {"j k", "FRF"},          {"t", "tag: overlay"},
-      {"h l", "cursor"},        {"n p", "peak"},         {"d", "checks"},
-      {"m", "band cursor"},     {"Enter", "its hits"},   {"x", "log/linear"},
-      {"z", "zoom to band"},    {"+ -", "zoom"},         {"[ ]", "pan"},
-      {"_", "whole band"},      {"X", "log frequency"},  {"b", "confidence"},
-      {"o", "other way round"}, {"*", "tag all listed"}, {"T", "tags off"},
-      {"H L", "cursor faster"}, {"/", "filter"}};
+      {"Tab", "next plot"},  {"j k", "FRF"},           {"t", "tag: overlay"},
+      {"h l", "cursor"},     {"n p", "peak"},          {"d", "checks"},
+      {"m", "band cursor"},  {"Enter", "its hits"},    {"x", "log/lin/dB"},
+      {"z", "zoom to band"}, {"+ -", "zoom"},          {"[ ]", "pan"},
+      {"_", "whole band"},   {"X", "log frequency"},   {"b", "confidence"},
+      {"v", "acc/vel/disp"}, {"o", "other way round"}, {"*", "tag all listed"},
+      {"T", "tags off"},     {"H L", "cursor faster"}, {"s", "sort"},
+      {"/", "filter"}};
 }
 
 std::string FrfPage::help() const {
@@ -321,7 +326,10 @@ std::string FrfPage::help() const {
          "the one measured the other way round. m sets one end of the band "
          "cursor, the cursor "
          "is the other. d checks driving points and pairs measured both ways "
-         "against physics. Damping is corrected for the exponential window, "
+         "against physics. v turns accelerances into mobilities and "
+         "receptances, "
+         "and back; x goes from a logarithmic to a linear scale and decibels. "
+         "Damping is corrected for the exponential window, "
          "the FRF curve is not.";
 }
 

@@ -110,7 +110,8 @@ bool ModesPage::press(const Snapshot& known, Key key, Command& command) {
     if (!state_.moving) state_.phase = 1.0;
   } else if (list_key(state_.list, mode_table(*known.modes), key)) {
     state_.model_mode.reset();
-  } else if (!pose_key(state_.pose, key)) {
+  } else if (!sort_key(state_.list, mode_table(*known.modes), key) &&
+             !pose_key(state_.pose, key)) {
     const FrequencySpan span = frequency_span(*known.frfs);
     return range_key(state_.range, key, span.lo, span.hi);
   }
@@ -134,6 +135,7 @@ std::vector<KeyHelp> ModesPage::keys() const {
             {"h l", "model's mode"},
             {"m", "shape"},
             {"x", "drop mode"},
+            {"s", "sort"},
             {"/", "filter"}};
   }
   return {{"j k", "mode"},
@@ -149,6 +151,7 @@ std::vector<KeyHelp> ModesPage::keys() const {
           {"+ -", "zoom"},
           {"[ ]", "pan"},
           {"h l", "cursor"},
+          {"s", "sort"},
           {"/", "filter"}};
 }
 

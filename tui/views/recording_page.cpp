@@ -143,7 +143,7 @@ bool RecordingPage::press_hit(const RecordingInput& input,
     if (state_.tagged.erase(at) == 0) state_.tagged.insert(at);
     state_.list.selected = std::min(selected + 1, hits.size() - 1);
   } else if (key == U'*') {
-    for (const std::size_t row : visible_rows(table, state_.list.filter)) {
+    for (const std::size_t row : visible_rows(table, state_.list)) {
       state_.tagged.insert({state_.run, row});
     }
   } else if (key == U'T') {

@@ -211,7 +211,7 @@ Plot overlay(const UpdateInput& input,
              std::size_t selected) {
   const signal::Frf& frf = input.frfs.frfs[selected];
   const Eigen::VectorXd f = input.frfs.frequency_hz();
-  Plot plot = frf_plot(input.frfs, state.range, state.log);
+  Plot plot = frf_plot(input.frfs, state.range);
   plot.title = signal::name(frf);
   plot.curves.push_back(measured_curve("measured", f, frf, false));
   const auto has = [selected](const Comparison* c) {
@@ -233,7 +233,7 @@ Plot overlay(const UpdateInput& input,
     plot.curves.push_back(magnitude_curve(
         "updated", f, shown, {Colour::Orange, Pattern::Dashed, 'o'}));
   }
-  return plot;
+  return in_scale(std::move(plot), state.scale);
 }
 
 void draw_record(Screen& screen,
@@ -325,7 +325,7 @@ Screen UpdatePage::draw(const Snapshot& known, const Canvas& canvas) const {
 bool UpdatePage::press(const Snapshot& known, Key key, Command& command) {
   const std::size_t effect = selected_effect(known.effects, state_);
   if (key == U'x') {
-    state_.log = !state_.log;
+    state_.scale = next(state_.scale);
   } else if (key == keys::tab) {
     constexpr int panels = static_cast<int>(UpdateState::Panel::LCurve) + 1;
     state_.panel = static_cast<UpdateState::Panel>(
@@ -367,7 +367,7 @@ std::vector<KeyHelp> UpdatePage::keys() const {
           {"n p", "which"},
           {"R", "slide again"},
           {"h l", "cursor"},
-          {"x", "log/linear"},
+          {"x", "log/lin/dB"},
           {"+ -", "zoom"},
           {"[ ]", "pan"},
           {"_", "whole band"},

@@ -2,6 +2,7 @@
 // measurement.
 #pragma once
 
+#include "tui/views/frf_curves.hpp"
 #include "tui/views/page.hpp"
 #include "tui/widgets/plot_range.hpp"
 #include "updating/fit/update_record.hpp"
@@ -29,7 +30,7 @@ struct UpdateState {
   /// Of those added: the one that t switches; empty: the latest.
   std::optional<std::size_t> effect = {};
   PlotRange range;  ///< [Hz]
-  bool log = true;
+  MagnitudeScale scale = MagnitudeScale::Logarithmic;
   enum class Panel {
     Curves,
     Convergence,

@@ -8,6 +8,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
+#include <numeric>
+#include <optional>
 
 namespace tapfit::tui {
 namespace {
@@ -77,6 +80,38 @@ void draw_cells(Screen& screen,
   }
 }
 
+const std::string& cell(const Row& row, std::size_t column) {
+  static const std::string none;
+  return column < row.cells.size() ? row.cells[column] : none;
+}
+
+/// Of all columns where there is none.
+std::size_t sorting_column(const Table& table, const ListState& state) {
+  if (state.sorted_by.empty()) return table.columns.size();
+  const auto found =
+      std::ranges::find(table.columns, state.sorted_by, &Column::title);
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+/// "<0.001" and "+9.12 %" are numbers, "–" is none.
+std::optional<double> number_of(const std::string& text) {
+  const std::size_t first = text.find_first_not_of("< ");
+  if (first == std::string::npos) return std::nullopt;
+  const char* begin = text.c_str() + first;
+  char* end = nullptr;
+  const double value = std::strtod(begin, &end);
+  return end == begin ? std::nullopt : std::optional(value);
+}
+
+/// Numbers from the largest down, what is none below; texts by the alphabet.
+bool stands_above(const std::string& a, const std::string& b, bool numbers) {
+  if (!numbers) return lower(a) < lower(b);
+  const auto one = number_of(a);
+  const auto other = number_of(b);
+  if (!one || !other) return one.has_value() && !other.has_value();
+  return *one > *other;
+}
+
 std::size_t place_of(const std::vector<std::size_t>& rows, std::size_t row) {
   const auto found = std::find(rows.begin(), rows.end(), row);
   return found == rows.end() ? 0
@@ -86,9 +121,9 @@ std::size_t place_of(const std::vector<std::size_t>& rows, std::size_t row) {
 }  // namespace
 
 std::vector<std::size_t> visible_rows(const Table& table,
-                                      const std::string& filter) {
+                                      const ListState& state) {
   std::vector<std::size_t> rows;
-  const std::string wanted = lower(filter);
+  const std::string wanted = lower(state.filter);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const std::vector<std::string>& cells = table.rows[r].cells;
     const bool shown =
@@ -98,18 +133,29 @@ std::vector<std::size_t> visible_rows(const Table& table,
         });
     if (shown) rows.push_back(r);
   }
+  const std::size_t column = sorting_column(table, state);
+  if (column == table.columns.size()) return rows;
+  std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
+    return stands_above(cell(table.rows[a], column),
+                        cell(table.rows[b], column),
+                        table.columns[column].right);
+  });
   return rows;
 }
 
 bool none_shown(const Table& table, const ListState& state) {
-  return !table.rows.empty() && visible_rows(table, state.filter).empty();
+  return !table.rows.empty() && visible_rows(table, state).empty();
 }
 
 std::size_t settled(const Table& table, const ListState& state) {
-  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  const std::vector<std::size_t> rows = visible_rows(table, state);
   if (rows.empty()) return 0;
-  const auto found = std::lower_bound(rows.begin(), rows.end(), state.selected);
-  return found == rows.end() ? rows.back() : *found;
+  // The one itself, else the next as they come, else the last.
+  std::size_t next = *std::ranges::max_element(rows);
+  for (const std::size_t row : rows) {
+    if (row >= state.selected) next = std::min(next, row);
+  }
+  return next;
 }
 
 bool is_row_key(Key key) {
@@ -132,7 +178,7 @@ bool is_row_key(Key key) {
 }
 
 bool list_key(ListState& state, const Table& table, Key key, int page) {
-  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  const std::vector<std::size_t> rows = visible_rows(table, state);
   if (rows.empty()) return false;
   const auto last = static_cast<long>(rows.size()) - 1;
   auto at = static_cast<long>(place_of(rows, settled(table, state)));
@@ -155,6 +201,15 @@ bool list_key(ListState& state, const Table& table, Key key, int page) {
   return true;
 }
 
+bool sort_key(ListState& state, const Table& table, Key key) {
+  if (key != U's') return false;
+  const std::size_t at = sorting_column(table, state);
+  const std::size_t next = at == table.columns.size() ? 0 : at + 1;
+  state.sorted_by =
+      next < table.columns.size() ? table.columns[next].title : std::string();
+  return true;
+}
+
 void draw_table(Screen& screen,
                 const Rect& rect,
                 const Table& table,
@@ -168,7 +223,20 @@ void draw_table(Screen& screen,
   for (const Column& column : table.columns) titles.push_back(column.title);
   const Rect indented{rect.x + 1, rect.y, rect.width - 2, 1};
   draw_cells(screen, indented, widths, table, titles, {.colour = Colour::Grey});
-  const std::vector<std::size_t> rows = visible_rows(table, state.filter);
+  const std::size_t sorted = sorting_column(table, state);
+  if (sorted < widths.size()) {
+    // In the gap behind the title.
+    const int behind =
+        table.columns[sorted].right
+            ? widths[sorted]
+            : std::min(shown_width(screen, titles[sorted]), widths[sorted]);
+    const int x =
+        std::accumulate(widths.begin(),
+                        widths.begin() + static_cast<std::ptrdiff_t>(sorted),
+                        indented.x + behind + 2 * static_cast<int>(sorted));
+    screen.put(x, rect.y, U'▾', {.colour = Colour::Sky});
+  }
+  const std::vector<std::size_t> rows = visible_rows(table, state);
   const int room = rect.height - 1;
   if (room <= 0) return;
   if (none_shown(table, state)) {

@@ -28,11 +28,14 @@ struct Table {
 struct ListState {
   std::size_t selected = 0;  ///< index into Table::rows
   std::string filter;        ///< rows without this text are hidden
+  /// Title of the column by which rows stand, the largest number or the first
+  /// word above; empty, or of no column: as they come.
+  std::string sorted_by = {};
 };
 
-/// Indices of the rows that hold the filter's text (any case).
+/// Indices of the rows that hold the filter's text (any case), as they stand.
 [[nodiscard]] std::vector<std::size_t> visible_rows(const Table& table,
-                                                    const std::string& filter);
+                                                    const ListState& state);
 
 /// Whether the filter leaves none of the rows: then there is nothing to act on.
 [[nodiscard]] bool none_shown(const Table& table, const ListState& state);
@@ -49,6 +52,11 @@ inline constexpr const char* nothing_matches =
 ///
 /// @return true when the key was one of these
 bool list_key(ListState& state, const Table& table, Key key, int page = 10);
+
+/// s sorts by the first column, then by the next, then by none.
+///
+/// @return true when it was that key
+bool sort_key(ListState& state, const Table& table, Key key);
 
 /// Heading, then as many rows as fit, the selected one among them. Columns
 /// that do not fit are left out from the right, but the first of them is cut

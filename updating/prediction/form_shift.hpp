@@ -12,6 +12,13 @@
 //
 // A mass leaves the strains of a mode much as they were: form shifts it by the
 // same share before and after, and says little of the change.
+//
+// Of a support that is let go b holds what held it, which was rigid and is no
+// part of the form. What the deck itself is strained by is then in the
+// stiffness after the change, K_c, known but for the support's small part:
+//
+//   cov = tau^2 / 4 (phi_b' K_c phi_c)^2 / (omega_b^2 omega_c^2)
+//       = tau^2 / 4 (omega_c phi_b' M_c phi_c / omega_b)^2.
 #pragma once
 
 #include <Eigen/Core>
@@ -25,14 +32,17 @@ struct FormShift {
   double both = 1.0;   ///< their covariance
 };
 
+/// A mode after the change, of unit mass with it.
+struct ModeAfter {
+  Eigen::VectorXd u;    ///< in the modes before, r
+  double omega = 0.0;   ///< above zero [rad/s]
+  double of_now = 0.0;  ///< phi_b' M_c phi_c: what the mode before has of it
+};
+
 /// @param omega of the modes before the change [rad/s], r
 /// @param mode which of them
-/// @param u the mode after the change in those before, r; of unit mass with the
-///   change
-/// @param omega_after its own, above zero [rad/s]
 [[nodiscard]] FormShift form_shift(const Eigen::VectorXd& omega,
-                                   Eigen::Index mode,
-                                   const Eigen::VectorXd& u,
-                                   double omega_after);
+                                   const ModeAfter& after,
+                                   Eigen::Index mode);
 
 }  // namespace tapfit::updating

@@ -28,12 +28,14 @@ struct BothModes {
   BaseModes after;
   std::vector<Index> becomes;  ///< of each mode now the one after
   MatrixXd u;                  ///< modes after in those now, r x count
+  MatrixXd of_now;             ///< modes now in those after, count x r
 };
 
 // By shape: of modes that change places each keeps its own.
 BothModes both_modes(const ChangedModel& model) {
   BothModes both{model.now->full_modes(model.state),
                  model.after->full_modes(model.changed()),
+                 {},
                  {},
                  {}};
   const double top = two_pi * 1.5 * model.now->context().high_hz;
@@ -42,6 +44,7 @@ BothModes both_modes(const ChangedModel& model) {
   const Index all = std::min(
       r, std::max<Index>(first, (both.after.omega.array() < top).count()) + 3);
   both.u = both.now.phi.partialPivLu().solve(both.after.phi.leftCols(all));
+  both.of_now = both.after.phi.partialPivLu().solve(both.now.phi).topRows(all);
   MatrixXd cost(first, all);
   for (Index k = 0; k < all; ++k) {
     cost.col(k) =
@@ -216,7 +219,9 @@ Spread spread_of(Index i,
   const VectorXd after = d.after.row(k).transpose();
   const VectorXd spread = known.covariance * after;
   const FormShift form =
-      form_shift(both.now.omega, i, both.u.col(k), both.after.omega(k));
+      form_shift(both.now.omega,
+                 {both.u.col(k), both.after.omega(k), both.of_now(k, i)},
+                 i);
   const double v = known.form_variance;
   return {now.dot(known.covariance * now) + v * form.now,
           after.dot(spread) + v * form.after,

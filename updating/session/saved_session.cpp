@@ -16,6 +16,7 @@
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
+#include <limits>
 
 namespace tapfit::updating {
 namespace {
@@ -24,6 +25,16 @@ namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
 
 constexpr int version = 1;
+
+// Counted from 1 in the file, from 0 here.
+int index_from(const json& value, const char* counted) {
+  if (value.is_number_integer()) {
+    const auto number = value.get<long long>();
+    constexpr int most = std::numeric_limits<int>::max();
+    if (number >= 1 && number <= most) return static_cast<int>(number - 1);
+  }
+  throw std::out_of_range(fmt::format("{} are counted from 1", counted));
+}
 
 // What is written by hand and misspelt must not be lost without a word.
 void check_fields(const json& value,
@@ -137,9 +148,8 @@ EffectChange change_from(const json& value) {
     if (change.added.empty()) change.added = {ref_from(value)};
     return change;
   }
-  const auto number = value.at("switched").get<long long>();
-  if (number < 1) throw std::out_of_range("effects are counted from 1");
-  return {{}, static_cast<std::size_t>(number - 1)};
+  const int effect = index_from(value.at("switched"), "effects");
+  return {{}, static_cast<std::size_t>(effect)};
 }
 
 json to_json(const EarlyStoppedFit& fit) {
@@ -159,8 +169,7 @@ EarlyStoppedFit kept_from(const json& value) {
     fit.effects.push_back({effect.at("effect"),
                            where_from(effect.value("where", json::object()))});
   }
-  fit.steps = value.at("steps");
-  if (fit.steps < 1) throw std::out_of_range("steps are counted from 1");
+  fit.steps = index_from(value.at("steps"), "steps") + 1;
   return fit;
 }
 
@@ -197,8 +206,9 @@ SavedRung rung_from(const json& value) {
   }
   for (const json& m : value.at("modes")) {
     ModePair pair;
-    pair.measured = m.at("measured").get<int>() - 1;
-    pair.model = m.at("model").get<int>() - 1;
+    const json& model = m.at("model");
+    pair.measured = index_from(m.at("measured"), "modes");
+    pair.model = model == 0 ? -1 : index_from(model, "modes");
     pair.measured_hz = m.at("measured_hz");
     pair.model_hz = m.at("model_hz");
     pair.error_percent = m.at("error_percent");
@@ -248,30 +258,23 @@ ModeChoices choices_from(const json& value) {
   }
   for (const json& pair : list_in(value, "pairs")) {
     const json& model = pair.at("model");
-    const bool counted = model.is_number_integer();
-    const int number = counted ? model.get<int>() : 0;
-    if (model != "none" && number < 1) {
-      throw std::out_of_range("modes are counted from 1");
-    }
     choices.pairs.push_back(
-        {frequency_from(pair.at("measured_hz")), number - 1});
+        {frequency_from(pair.at("measured_hz")),
+         model == "none" ? -1 : index_from(model, "modes")});
   }
   return choices;
 }
 
-// From 1 in the file to 0 here.
-std::size_t index_from(const json& value) {
-  const auto number = value.get<long long>();
-  if (number < 1) throw std::out_of_range("runs and hits are counted from 1");
-  return static_cast<std::size_t>(number - 1);
+std::size_t place_in(const json& hit, const char* key) {
+  return static_cast<std::size_t>(index_from(hit.at(key), "runs and hits"));
 }
 
 std::vector<OverruledHit> hits_from(const json& list) {
   std::vector<OverruledHit> hits;
   for (const json& hit : list) {
     check_fields(hit, "a hit", {"run", "hit", "together"});
-    hits.push_back({index_from(hit.at("run")),
-                    index_from(hit.at("hit")),
+    hits.push_back({place_in(hit, "run"),
+                    place_in(hit, "hit"),
                     hit.value("together", false)});
   }
   return hits;

@@ -18,6 +18,30 @@ TEST(Program, CompletesCommands) {
       holds(played("7\nwait\nw\nwait"), "written: made-up/report.html"));
 }
 
+TEST(Palette, SaysWhatCommandsDo) {
+  for (const Canvas& canvas : {Canvas{80, 24, false}, Canvas{200, 50, true}}) {
+    const std::string all = played("1\nwait\n:", canvas);
+    EXPECT_TRUE(holds(all, "add EFFECT[@PLACE] ...")) << all;
+    EXPECT_TRUE(holds(all, "adds effects to the model")) << all;
+    expect_fits(all, canvas.width);
+  }
+  const std::string some = played("1\nwait\n:re");
+  EXPECT_TRUE(holds(some, "tries what failed again")) << some;
+  EXPECT_FALSE(holds(some, "writes the updated deck")) << some;
+  const std::string one = played("1\nwait\n:drop 1");
+  EXPECT_TRUE(holds(one, "takes the mode there out")) << one;
+  EXPECT_FALSE(holds(one, "tries what failed again")) << one;
+  EXPECT_FALSE(holds(played("1\nwait\n:drop<Esc>"), "takes the mode"));
+}
+
+TEST(Palette, FindsCommandsByTheirLetters) {
+  EXPECT_TRUE(holds(played("1\nwait\n:dck"), "writes the updated deck"));
+  EXPECT_TRUE(holds(played("1\nwait\n:dck<Tab>"), "\n:deck"));
+  // Of several that hold them Tab takes none.
+  EXPECT_TRUE(holds(played("1\nwait\n:ot<Tab>"), "\n:ot "));
+  EXPECT_FALSE(holds(played("1\nwait\n:zzz"), "command (Tab"));
+}
+
 TEST(Program, TakesALineBackAsAShellDoes) {
   EXPECT_TRUE(holds(played(":add joint<C-u>he"), "\n:he "));
   EXPECT_TRUE(holds(played(":add joint<C-w>dash"), "\n:add dash"));

@@ -45,6 +45,17 @@ TEST(CommandLine, BundleAloneOpensTheTerminal) {
   EXPECT_FALSE(invocation.app.keys_file.has_value());
 }
 
+TEST(CommandLine, TourIsTheTerminalWithWords) {
+  const Invocation alone = parsed({"tour"});
+  EXPECT_EQ(alone.command, nullptr);
+  EXPECT_TRUE(alone.app.tour);
+  EXPECT_TRUE(alone.options.input.empty());
+  const Invocation named = parsed({"tour", "some/bundle", "--ascii"});
+  EXPECT_EQ(named.options.input, "some/bundle");
+  EXPECT_TRUE(named.app.ascii);
+  EXPECT_FALSE(parsed({"some/bundle"}).app.tour);
+}
+
 TEST(CommandLine, CommandTakesBundleAndJson) {
   const Invocation invocation = parsed({"run", "some/bundle", "--json"});
   EXPECT_EQ(invocation.command, &run_command);

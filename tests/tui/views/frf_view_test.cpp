@@ -1,9 +1,11 @@
 #include "tui/views/frf_view.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "tui/views/frf_panels.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <complex>
 
 namespace tapfit::tui {
@@ -55,6 +57,80 @@ TEST(FrfView, CountsTheOverlaysWhoseSizesDoNotFit) {
   const std::string line = last_line(frf_view(frfs, state, {80, 21, false}));
   EXPECT_NE(line.find("  +2"), std::string::npos) << line;
   EXPECT_EQ(line.find("…"), std::string::npos) << line;
+}
+
+/// Behind "|H| ".
+double size_in(const std::string& line) {
+  const std::size_t at = line.find("|H| ");
+  return at == std::string::npos ? 0.0 : std::stod(line.substr(at + 4));
+}
+
+// A = s M = s^2 R; the fake FRFs' lines lie on the axis of frequencies but for
+// their window.
+TEST(FrfView, TurnsAccelerancesIntoMobilitiesAndReceptances) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Eigen::Index line = frfs.lines() / 2;
+  FrfState state;
+  state.range.cursor = frfs.frequency_hz()(line);
+  state.range.cursor_set = true;
+  const auto shown = [&](signal::FrfForm form) {
+    state.form = form;
+    return last_line(frf_view(frfs, state, {120, 32, false}));
+  };
+  const std::string a = shown(signal::FrfForm::Accelerance);
+  const std::string m = shown(signal::FrfForm::Mobility);
+  const std::string r = shown(signal::FrfForm::Receptance);
+  EXPECT_NE(a.find("(m/s²)/N"), std::string::npos) << a;
+  EXPECT_NE(m.find("(m/s)/N"), std::string::npos) << m;
+  EXPECT_NE(r.find(" m/N"), std::string::npos) << r;
+  const double size = std::abs(frfs.frfs.front().H(line));
+  const double s = std::abs(frfs.s(line));
+  // Four digits are shown.
+  EXPECT_NEAR(size_in(a), size, 1e-3 * size);
+  EXPECT_NEAR(size_in(m), size / s, 1e-3 * size / s);
+  EXPECT_NEAR(size_in(r), size / (s * s), 1e-3 * size / (s * s));
+  // The scatter goes with it.
+  state.form = signal::FrfForm::Mobility;
+  const FrfChoice choice = chosen_frfs(frfs, {0}, state.form);
+  EXPECT_DOUBLE_EQ(choice.selected().variance(line),
+                   frfs.frfs.front().variance(line) / (s * s));
+}
+
+TEST(FrfView, ShowsDecibels) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const Eigen::Index line = frfs.lines() / 2;
+  FrfState state;
+  state.scale = MagnitudeScale::Decibels;
+  state.range.cursor = frfs.frequency_hz()(line);
+  state.range.cursor_set = true;
+  const Screen screen = frf_view(frfs, state, {120, 32, false});
+  EXPECT_NE(screen.to_text().find("dB re 1 (m/s²)/N"), std::string::npos);
+  const std::string text = last_line(screen);
+  EXPECT_NE(text.find(" dB"), std::string::npos) << text;
+  EXPECT_NEAR(size_in(text),
+              20.0 * std::log10(std::abs(frfs.frfs.front().H(line))),
+              0.051);
+}
+
+TEST(InScale, LeavesAGapWhereThereIsNothing) {
+  Plot plot;
+  plot.y.unit = "m/N";
+  Curve curve{"", {}, {}, {}, {}, {}};
+  curve.x = curve.y = Eigen::Vector3d(1.0, 10.0, 0.0);
+  plot.curves.push_back(curve);
+  const Plot shown = in_scale(plot, MagnitudeScale::Decibels);
+  EXPECT_DOUBLE_EQ(shown.curves[0].y(1), 20.0);
+  EXPECT_FALSE(std::isfinite(shown.curves[0].y(2)));
+  EXPECT_FALSE(shown.y.log);
+  EXPECT_TRUE(in_scale(plot, MagnitudeScale::Logarithmic).y.log);
+  const Ranges ranges = fit_ranges(shown);
+  EXPECT_TRUE(std::isfinite(ranges.y.lo) && std::isfinite(ranges.y.hi));
+}
+
+TEST(InScale, GoesRound) {
+  MagnitudeScale scale = MagnitudeScale::Logarithmic;
+  for (int k = 0; k < 3; ++k) scale = next(scale);
+  EXPECT_EQ(scale, MagnitudeScale::Logarithmic);
 }
 
 }  // namespace

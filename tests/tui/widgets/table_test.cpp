@@ -52,12 +52,48 @@ TEST(Table, LeavesOutNumbersThatDoNotFitAndCutsTexts) {
 TEST(Table, FilterHidesRowsAndMovesTheSelection) {
   const Table table = numbers(20);
   ListState state{0, "ROW 1"};  // 1 and 10..19
-  EXPECT_EQ(visible_rows(table, state.filter).size(), 11U);
+  EXPECT_EQ(visible_rows(table, state).size(), 11U);
   EXPECT_EQ(settled(table, state), 1U);
   EXPECT_TRUE(list_key(state, table, Key(keys::down)));
   EXPECT_EQ(state.selected, 10U);
   EXPECT_TRUE(list_key(state, table, Key(U'G')));
   EXPECT_EQ(state.selected, 19U);
+}
+
+// Candidates by probability, FRFs by coherence; what is marked stays marked.
+TEST(Table, SortsByOneColumnAfterTheOther) {
+  const Table table{{{"name"}, {"p", true}},
+                    {{{"beta", "<0.001"}, {}},
+                     {{"Alpha", "0.927"}, {}},
+                     {{"gamma", "–"}, {}},
+                     {{"delta", "1.000"}, {}}}};
+  ListState state{1, ""};
+  const auto order = [&] { return visible_rows(table, state); };
+  using Rows = std::vector<std::size_t>;
+  EXPECT_EQ(order(), (Rows{0, 1, 2, 3}));
+  EXPECT_TRUE(sort_key(state, table, Key(U's')));
+  EXPECT_EQ(order(), (Rows{1, 0, 3, 2}));
+  EXPECT_TRUE(sort_key(state, table, Key(U's')));
+  EXPECT_EQ(order(), (Rows{3, 1, 0, 2}));
+  EXPECT_EQ(settled(table, state), 1U);
+  EXPECT_TRUE(list_key(state, table, keys::down));
+  EXPECT_EQ(state.selected, 0U) << "the next as they stand";
+  Screen screen(20, 5);
+  draw_table(screen, screen.area(), table, state, true);
+  const std::string text = screen.to_text();
+  EXPECT_NE(text.find("p▾"), std::string::npos) << text;
+  EXPECT_LT(text.find("delta"), text.find("Alpha")) << text;
+  EXPECT_TRUE(sort_key(state, table, Key(U's')));
+  EXPECT_EQ(order(), (Rows{0, 1, 2, 3}));
+  EXPECT_FALSE(sort_key(state, table, Key(U'x')));
+}
+
+TEST(Table, KeepsToNoColumnThatIsNotThere) {
+  ListState state{0, "", "gone"};
+  EXPECT_EQ(visible_rows(numbers(3), state),
+            (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_TRUE(sort_key(state, numbers(0), Key(U's')));
+  EXPECT_TRUE(visible_rows(numbers(0), state).empty());
 }
 
 TEST(Table, TakesNoRowsAndNoRoom) {

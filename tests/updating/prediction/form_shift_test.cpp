@@ -59,10 +59,11 @@ TEST(FormShift, IsTheSumOverAllEntriesOfTheModalStiffness) {
         sum.both += variance * now * after;
       }
     }
-    const FormShift shift = form_shift(modes.omega,
-                                       mode,
-                                       solved.eigenvectors().col(mode),
-                                       std::sqrt(solved.eigenvalues()(mode)));
+    const Vector3d after = solved.eigenvectors().col(mode);
+    const FormShift shift = form_shift(
+        modes.omega,
+        {after, std::sqrt(solved.eigenvalues()(mode)), (modes.M * after)(mode)},
+        mode);
     // Central differences of 1e-5: ten digits, less what the roots cost.
     EXPECT_NEAR(0.25 * shift.now, sum.now, 1e-7) << mode;
     EXPECT_NEAR(0.25 * shift.after, sum.after, 1e-7) << mode;
@@ -70,12 +71,41 @@ TEST(FormShift, IsTheSumOverAllEntriesOfTheModalStiffness) {
   }
 }
 
+// A support that gives: what held it was rigid, and strains nothing of the
+// deck.
+TEST(FormShift, OfASupportThatIsLetGoIsNoMoreThanOfWhatIsStrained) {
+  Matrix3d K;
+  K << 900.0, -400.0, -50.0, -400.0, 700.0, -300.0, -50.0, -300.0, 500.0;
+  const auto held_by = [](double spring) -> Matrix3d {
+    return Vector3d(0.0, 0.0, spring).asDiagonal();
+  };
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> now(K + held_by(1e10));
+  const Matrix3d spring = held_by(2000.0);
+  const Eigen::SelfAdjointEigenSolver<Matrix3d> after(K + spring);
+  const Vector3d omega = now.eigenvalues().cwiseSqrt();
+  for (Index mode = 0; mode < 2; ++mode) {
+    const Vector3d held = now.eigenvectors().col(mode);
+    const Vector3d let_go = after.eigenvectors().col(mode);
+    const double w2 = after.eigenvalues()(mode);
+    const Vector3d u = now.eigenvectors().transpose() * let_go;
+    const FormShift shift =
+        form_shift(omega, {u, std::sqrt(w2), u(mode)}, mode);
+    // Strained by both, of what the deck's own stiffness says.
+    const double strained = let_go.dot(K * let_go) / w2;
+    const double both = held.dot(K * let_go);
+    EXPECT_NEAR(shift.both, both * both / (held.dot(K * held) * w2), 1e-6);
+    EXPECT_LE(shift.both, std::sqrt(shift.after));
+    EXPECT_GE(shift.after, strained * strained);
+    EXPECT_LE(shift.after, 1.0);
+  }
+}
+
 TEST(FormShift, OfAModeThatKeepsItsShapeSaysNothingOfItsChange) {
   const Vector3d omega(10.0, 25.0, 47.0);
   // A mass that is felt by this mode alone.
   const double factor = 1.0 / std::sqrt(1.3);
-  const FormShift shift =
-      form_shift(omega, 1, Vector3d(0.0, factor, 0.0), 25.0 * factor);
+  const FormShift shift = form_shift(
+      omega, {Vector3d(0.0, factor, 0.0), 25.0 * factor, 1.0 / factor}, 1);
   EXPECT_NEAR(shift.now + shift.after - 2.0 * shift.both, 0.0, 1e-12);
 }
 

@@ -156,6 +156,13 @@ TEST_F(SavedSessionTest, RefusesWhatIsNoSession) {
             "modes": {"pairs": [{"measured_hz": 5, "model": 0}]}})",
         R"({"tapfit_session": 1, "overruled_hits": [], "effects": [],
             "modes": {"band_hz": [5]}})",
+        R"({"tapfit_session": 1, "undone": [{"switched": 1e300}]})",
+        R"({"tapfit_session": 1, "modes": {"pairs":
+            [{"measured_hz": 5, "model": 1.5}]}})",
+        R"({"tapfit_session": 1, "ladder": [{"added": "joint", "where": {},
+            "error": 0.1, "parameters": {}, "modes": [{"measured":
+            -2147483648, "model": 1, "measured_hz": 5, "model_hz": 5,
+            "error_percent": 0, "mac": null}]}]})",
         R"({"tapfit_session": 1, "overruled_hits": [],
             "effects": [{"where": {}}]})",
         R"({"tapfit_session": 1, "overruled_hits": [],

@@ -1,0 +1,49 @@
+// The words that lead a newcomer from screen to screen.
+#include "tests/tui/support/play.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace tapfit::tui {
+namespace {
+
+const std::string begin = ":tour\n<Enter>\n";
+
+TEST(Tour, IsOnEveryScreenAndHidesNoneOfTheKeys) {
+  for (const Canvas& canvas : {Canvas{80, 24, false}, Canvas{200, 50, true}}) {
+    for (int screen = 1; screen <= 7; ++screen) {
+      const std::string text =
+          played(fmt::format("{}{}\nwait", begin, screen), canvas);
+      EXPECT_TRUE(holds(text, fmt::format("{} of 7.", screen))) << text;
+      EXPECT_TRUE(holds(text, "q quit")) << text;
+      expect_fits(text, canvas.width);
+    }
+  }
+}
+
+TEST(Tour, SaysWhereToGoOn) {
+  for (int screen = 1; screen <= 4; ++screen) {
+    const std::string text = played(fmt::format("{}{}\nwait", begin, screen));
+    EXPECT_TRUE(holds(text, fmt::format("Then {}.", screen + 1))) << text;
+  }
+}
+
+TEST(Tour, FollowsTheWork) {
+  EXPECT_TRUE(holds(played(begin + "5\nwait"), "Now A: it adds all"));
+  EXPECT_TRUE(holds(played(begin + "6\nwait"), "Nothing is yet"));
+  EXPECT_TRUE(
+      holds(played(begin + "5\nwait\nA\nwait"), "6 of 7. The effects are in"));
+}
+
+TEST(Tour, EndsWhereItIsTypedAgainAndIsNotThereUnasked) {
+  EXPECT_FALSE(holds(played("1\nwait"), "1 of 7."));
+  EXPECT_FALSE(holds(played(begin + begin + "1\nwait"), "1 of 7."));
+}
+
+TEST(Tour, GivesWayToTheHelp) {
+  const std::string text = played(begin + "1\nwait\n?\n");
+  EXPECT_FALSE(holds(text, "1 of 7.")) << text;
+}
+
+}  // namespace
+}  // namespace tapfit::tui
