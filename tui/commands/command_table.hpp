@@ -2,7 +2,7 @@
 // names, what they do, the options that they take.
 #pragma once
 
-#include "tui/commands/command_line.hpp"
+#include "tui/options/command.hpp"
 
 #include <span>
 
