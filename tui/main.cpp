@@ -33,9 +33,8 @@ int open_terminal(const Invocation& invocation) {
   const bool replay = invocation.app.keys_file.has_value();
   if (!replay && (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)) {
     say(!invocation.help.empty() ? invocation.help
-        : invocation.app.tour
-            ? "tapfit: this is no terminal, and the tour "
-              "is for one; try 'tapfit run BUNDLE'\n"
+        : invocation.options.input.empty()
+            ? "tapfit: this is no terminal, and the tour needs one\n"
             : fmt::format("tapfit: this is no terminal; try 'tapfit run {}'\n",
                           invocation.options.input.string()));
     return ExitStatus::CommandLineAtFault;

@@ -44,7 +44,7 @@ constexpr std::array<Entry, 20> commands{{
     {Kind::Screen, "screen", "1 ... 7", "shows a screen"},
     {Kind::Stop, "stop", "", "stops what runs"},
     {Kind::Toggle, "toggle", "N", "switches an added effect off and on"},
-    {Kind::Tour, "tour", "", "says what is seen on each screen, or no more"},
+    {Kind::Tour, "tour", "", "words on each screen, on and off"},
     {Kind::Uff, "uff", "[FILE]", "writes FRFs and modes"},
     {Kind::Undo, "undo", "", "takes the last step back"},
 }};
@@ -66,20 +66,6 @@ std::string_view trimmed(std::string_view text) {
 
 std::size_t digit(char c) { return static_cast<std::size_t>(c - '0'); }
 
-Kind kind_of(std::string_view word, std::string_view text) {
-  if (word.empty()) refuse(word, text);
-  int found = 0;
-  Kind kind = Kind::Help;
-  for (const Entry& entry : commands) {
-    if (entry.name == word) return entry.kind;
-    if (!entry.name.starts_with(word)) continue;
-    ++found;
-    kind = entry.kind;
-  }
-  if (found != 1) refuse(word, text);
-  return kind;
-}
-
 /// Whether the letters stand in the name, in this order.
 bool has_letters(std::string_view name, std::string_view letters) {
   for (const char letter : letters) {
@@ -95,10 +81,23 @@ std::vector<const Entry*> meant_by(std::string_view word) {
   std::vector<const Entry*> begin;
   std::vector<const Entry*> hold;
   for (const Entry& entry : commands) {
+    if (entry.name == word) return {&entry};
     if (entry.name.starts_with(word)) begin.push_back(&entry);
     if (has_letters(entry.name, word)) hold.push_back(&entry);
   }
   return begin.empty() ? hold : begin;
+}
+
+Kind kind_of(std::string_view word, std::string_view text) {
+  if (word.empty()) refuse(word, text);
+  const std::vector<const Entry*> meant = meant_by(word);
+  if (meant.empty()) refuse(word, text);
+  if (meant.size() == 1) return meant.front()->kind;
+  std::vector<std::string_view> names;
+  for (const Entry* entry : meant) names.push_back(entry->name);
+  throw InputError(fmt::format("{} may be any of several commands", word),
+                   "after ':'",
+                   fmt::format("write one of :{}", fmt::join(names, " :")));
 }
 
 bool takes_nothing(Kind kind) {
@@ -159,10 +158,8 @@ ColonCommand parse_colon_command(std::string_view text) {
 
 std::vector<CommandWords> palette(std::string_view text) {
   const std::size_t space = text.find(' ');
-  const bool known = space != std::string_view::npos;
   std::vector<CommandWords> words;
   for (const Entry* entry : meant_by(text.substr(0, space))) {
-    if (known && entry->name != text.substr(0, space)) continue;
     words.push_back({fmt::format("{} {}", entry->name, entry->takes),
                      std::string(entry->does)});
   }

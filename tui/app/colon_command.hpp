@@ -40,7 +40,7 @@ struct ColonCommand {
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
 /// "3", "run 12", "report", "deck FILE", "uff", "plot", "stop", "retry",
 /// "drop 12.98", "pick 12.98", "pair 2:3", "band 10 60"; a name may be cut
-/// short while it is clear ("sc 3").
+/// short while it is clear ("sc 3"), or given by letters of it.
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
@@ -52,7 +52,7 @@ struct CommandWords {
 };
 
 /// The commands that the text may be going on to: those that begin so or, where
-/// none does, hold its letters in this order; behind a blank the one alone.
+/// none does, hold its letters in this order.
 [[nodiscard]] std::vector<CommandWords> palette(std::string_view text);
 
 /// What the text may be going on to: commands by their names, after "add " the

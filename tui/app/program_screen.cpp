@@ -126,7 +126,7 @@ long seconds_of(const WorkerStatus& status) {
 
 std::string Program::window_title() const {
   std::string title = "tapfit";
-  if (known_.bundle) title += ": " + known_.bundle->title;
+  if (known_.bundle) title += ": " + clipped(known_.bundle->title, 60);
   if (!shown_.busy) return title;
   return fmt::format("{} % {}", std::lround(100.0 * shown_.fraction), title);
 }
@@ -161,7 +161,7 @@ Screen Program::body(const Canvas& canvas) const {
 
 /// At the foot, where least is hidden.
 void Program::draw_tour(Screen& screen) const {
-  if (!tour_) return;
+  if (!tour_ || acting()) return;  // a fit shows how it goes on there
   const std::vector<std::string> lines =
       wrapped(tour_words(current_, known_), std::min(screen.width() - 8, 72));
   const int rows = static_cast<int>(lines.size()) + 2;
@@ -174,14 +174,16 @@ void Program::draw_tour(Screen& screen) const {
 void Program::draw_palette(Screen& screen) const {
   if (mode_ != Mode::Colon) return;
   std::vector<CommandWords> words = palette(typed_);
-  const int most = std::max(screen.height() - 4, 0);
-  if (static_cast<int>(words.size()) > most) {
-    words.resize(static_cast<std::size_t>(most));
+  const auto most = static_cast<std::size_t>(std::max(screen.height() - 4, 1));
+  if (words.size() > most) {
+    const std::size_t more = words.size() - most + 1;
+    words.resize(most - 1);
+    words.push_back({fmt::format("... {} more", more), "a letter finds them"});
   }
   if (words.empty()) return;
   const int rows = static_cast<int>(words.size()) + 2;
   const Rect rect{
-      0, screen.height() - rows, std::min(screen.width(), 72), rows};
+      0, screen.height() - rows, std::min(screen.width(), 76), rows};
   screen.fill(rect, U' ');
   screen.box(rect, "command (Tab completes)", {.colour = Colour::Sky});
   constexpr int usage_width = 26;

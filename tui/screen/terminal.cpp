@@ -4,6 +4,7 @@
 #include "tui/screen/clipboard.hpp"
 #include "tui/screen/escape_sequence.hpp"
 #include "tui/screen/glyphs.hpp"
+#include "tui/screen/held_errors.hpp"
 #include "tui/screen/palette.hpp"
 #include "tui/screen/terminal_traits.hpp"
 #include "tui/screen/window_title.hpp"
@@ -249,36 +250,6 @@ void send(const std::string& sequence) {
   std::fflush(stdout);
 }
 
-/// Keeps standard error away from the screen until it is destroyed.
-class HeldErrors {
- public:
-  HeldErrors() : held_(std::tmpfile()), real_(dup(STDERR_FILENO)) {
-    std::fflush(stderr);
-    if (held_ != nullptr && real_ >= 0) dup2(fileno(held_), STDERR_FILENO);
-  }
-  ~HeldErrors() {
-    std::fflush(stderr);
-    if (real_ >= 0) {
-      dup2(real_, STDERR_FILENO);
-      close(real_);
-    }
-    if (held_ == nullptr) return;
-    std::rewind(held_);
-    std::array<char, 4096> buffer{};
-    while (const std::size_t n =
-               std::fread(buffer.data(), 1, buffer.size(), held_)) {
-      std::fwrite(buffer.data(), 1, n, stderr);
-    }
-    std::fclose(held_);
-  }
-  HeldErrors(const HeldErrors&) = delete;
-  HeldErrors& operator=(const HeldErrors&) = delete;
-
- private:
-  std::FILE* held_;
-  int real_;
-};
-
 }  // namespace
 
 struct Terminal::Impl {
@@ -286,6 +257,11 @@ struct Terminal::Impl {
   Colours colours = Colours::None;
   bool blocks = false;
   std::string title;  ///< of the window, where it was named
+
+  void give_window_back() {
+    if (!title.empty()) send(fetch_title);
+    title.clear();
+  }
 };
 
 Terminal::Terminal(const TerminalOptions& options)
@@ -324,7 +300,7 @@ Terminal::~Terminal() {
   for (const int crash : crashes) set_handler(crash, SIG_DFL);
   for (const int ending : endings) set_handler(ending, SIG_DFL);
   endwin();
-  if (!impl_->title.empty()) send(fetch_title);
+  impl_->give_window_back();
   // Without a screen of its own the last one stays, and the prompt goes on it.
   if (!is_able("smcup")) std::fputs("\n", stdout);
 }
@@ -364,12 +340,13 @@ void Terminal::name_window(const std::string& title) {
   if (title == impl_->title || !has_window_title(std::getenv("TERM"))) return;
   if (impl_->title.empty()) send(put_title_aside);
   impl_->title = title;
-  send(title_sequence(title));
+  send(title_sequence(title, !locale_is_utf8()));
 }
 
 void Terminal::copy(const std::string& text) { send(clipboard_sequence(text)); }
 
 void Terminal::suspend() {
+  impl_->give_window_back();
   // ncurses' own handler leaves the screen, stops, and comes back to it.
   raise(SIGTSTP);
   clearok(curscr, TRUE);

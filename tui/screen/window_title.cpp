@@ -1,6 +1,7 @@
 #include "tui/screen/window_title.hpp"
 
 #include "acquisition/foundation/utf8.hpp"
+#include "tui/screen/text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,8 +23,8 @@ bool has_window_title(const char* kind) {
       windows, [own](std::string_view name) { return own.starts_with(name); });
 }
 
-std::string title_sequence(std::string_view text) {
-  std::string title = acquisition::printable(text);
+std::string title_sequence(const std::string& text, bool ascii) {
+  std::string title = acquisition::printable(ascii ? to_ascii(text) : text);
   std::erase_if(title, [](unsigned char c) { return c < ' ' || c == 0x7F; });
   return "\033]2;" + title + "\a";
 }

@@ -9,13 +9,13 @@
 
 namespace tapfit::tui {
 
-/// @param kind as TERM names it, or null; the Linux console and others that are
-/// no
-///   windows would show the letters
+/// @param kind as TERM names it, or null; what is no window, as the Linux
+///   console, would show the letters
 [[nodiscard]] bool has_window_title(const char* kind);
 
 /// @param text control characters in it are left out
-[[nodiscard]] std::string title_sequence(std::string_view text);
+/// @param ascii what is no ASCII becomes what is like it
+[[nodiscard]] std::string title_sequence(const std::string& text, bool ascii);
 
 inline constexpr const char* put_title_aside = "\033[22;2t";
 inline constexpr const char* fetch_title = "\033[23;2t";

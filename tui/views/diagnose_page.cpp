@@ -221,7 +221,6 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     return true;
   }
   if (list_key(state_.list, table, key)) return true;
-  if (sort_key(state_.list, table, key)) return true;
   if (pose_key(state_.pose, key)) return true;
   for (const auto& [node, signature] : known.signatures) {
     const Eigen::VectorXd& f = signature->frequency_hz;
@@ -247,7 +246,6 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
           {"+ -", "zoom"},
           {"[ ]", "pan"},
           {"T", "tags off"},
-          {"s", "sort"},
           {"R", "how firm"},
           {"/", "filter"}};
 }

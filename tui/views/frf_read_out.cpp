@@ -119,10 +119,13 @@ std::string one_line(const FrfChoice& choice,
           fmt::format("{}{} {}", gap, coherence, fixed(frf.coherence[at], 4));
     }
     if (frf.variance.size() == frfs.lines()) {
-      text +=
-          fmt::format("{}sd {}",
-                      gap,
-                      number(std::sqrt(std::max(frf.variance[at], 0.0)), 2));
+      const double sd = std::sqrt(std::max(frf.variance[at], 0.0));
+      const double size = std::abs(frf.H[at]);
+      const bool in_decibels = scale == MagnitudeScale::Decibels && !as_parts;
+      text += in_decibels
+                  ? fmt::format(
+                        "{}sd {} dB", gap, number(decibels(1.0 + sd / size), 2))
+                  : fmt::format("{}sd {}", gap, number(sd, 2));
     }
     return text;
   };

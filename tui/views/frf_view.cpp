@@ -19,6 +19,7 @@ namespace {
 
 using Eigen::Index;
 using signal::Frf;
+using signal::FrfForm;
 using signal::FrfSet;
 using Panel = FrfState::Panel;
 
@@ -151,7 +152,9 @@ Screen frf_view(const FrfSet& frfs,
   const Rect all{0, 0, canvas.width, canvas.height - 1};
   const std::size_t selected = selected_frf(frfs, state, checks);
   const FrfChoice choice =
-      chosen_frfs(frfs, shown_frfs(frfs, state, selected), state.form);
+      chosen_frfs(frfs,
+                  shown_frfs(frfs, state, selected),
+                  state.checks ? FrfForm::Accelerance : state.form);
   if (state.checks && checks != nullptr) {
     draw_checks(screen, all, frfs, *checks, state.check_list, state.range);
   } else if (state.checks) {
@@ -180,7 +183,8 @@ Screen FrfPage::draw(const Snapshot& known, const Canvas& canvas) const {
 }
 
 void FrfPage::select(std::size_t frf, std::optional<double> hz) {
-  state_.list = {frf, ""};
+  state_.list.selected = frf;
+  state_.list.filter.clear();
   state_.checks = false;
   if (!hz) return;
   state_.range = {};
@@ -192,11 +196,7 @@ bool FrfPage::press_view(const Snapshot& known, Key key) {
   const FrfSet& frfs = *known.frfs;
   const Table table = frf_table(frfs, state_.tagged);
   const std::size_t selected = settled(table, state_.list);
-  if (key == U'x') {
-    state_.scale = next(state_.scale);
-  } else if (key == U'v') {
-    state_.form = next(state_.form);
-  } else if (key == U'X') {
+  if (key == U'X') {
     state_.log_f = !state_.log_f;
   } else if (key == U'b') {
     state_.band = !state_.band;
@@ -205,7 +205,11 @@ bool FrfPage::press_view(const Snapshot& known, Key key) {
   } else if (key == U'o') {
     state_.both_ways = !state_.both_ways;
   } else if (state_.checks) {
-    return press_panel(key);
+    return press_panel(key);  // of accelerances, whatever is shown else
+  } else if (key == U'x') {
+    state_.scale = next(state_.scale);
+  } else if (key == U'v') {
+    state_.form = next(state_.form);
   } else if (key == U't' || key == U' ') {
     if (none_shown(table, state_.list)) return true;
     if (state_.tagged.erase(selected) == 0) state_.tagged.insert(selected);
@@ -275,7 +279,11 @@ bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
     command.run = frf.run;
     return true;
   }
-  if (press_view(known, key) || press_band(frfs, frf, key)) return true;
+  const FrfForm form = state_.checks ? FrfForm::Accelerance : state_.form;
+  const FrfChoice peaks = chosen_frfs(
+      frfs, {selected_frf(frfs, state_, known.frf_checks.get())}, form);
+  if (press_view(known, key)) return true;
+  if (press_band(peaks.frfs, peaks.selected(), key)) return true;
   const Table table = state_.checks && known.frf_checks
                           ? check_table(frfs, *known.frf_checks)
                           : frf_table(frfs, state_.tagged);
@@ -283,9 +291,8 @@ bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
     command.message = "there is nothing to check; d goes back to the FRFs";
     return true;
   }
-  if (list_key(*list(), table, key) || sort_key(*list(), table, key)) {
-    return true;
-  }
+  if (list_key(*list(), table, key)) return true;
+  if (sort_key(*list(), table, key, command.message)) return true;
   const FrequencySpan span = frequency_span(frfs);
   return range_key(state_.range, key, span.lo, span.hi, line_spacing(frfs));
 }

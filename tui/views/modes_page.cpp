@@ -110,7 +110,8 @@ bool ModesPage::press(const Snapshot& known, Key key, Command& command) {
     if (!state_.moving) state_.phase = 1.0;
   } else if (list_key(state_.list, mode_table(*known.modes), key)) {
     state_.model_mode.reset();
-  } else if (!sort_key(state_.list, mode_table(*known.modes), key) &&
+  } else if (!sort_key(
+                 state_.list, mode_table(*known.modes), key, command.message) &&
              !pose_key(state_.pose, key)) {
     const FrequencySpan span = frequency_span(*known.frfs);
     return range_key(state_.range, key, span.lo, span.hi);
@@ -169,7 +170,8 @@ std::string ModesPage::help() const {
 }
 
 void ModesPage::select(std::size_t measured, std::size_t model) {
-  state_.list = {measured, ""};
+  state_.list.selected = measured;
+  state_.list.filter.clear();
   state_.model_mode = model;
   state_.mac = false;
   state_.model = true;

@@ -103,13 +103,44 @@ std::optional<double> number_of(const std::string& text) {
   return end == begin ? std::nullopt : std::optional(value);
 }
 
-/// Numbers from the largest down, what is none below; texts by the alphabet.
-bool stands_above(const std::string& a, const std::string& b, bool numbers) {
-  if (!numbers) return lower(a) < lower(b);
+/// Digits as the number that they are: "60Z+" before "145Z+".
+bool stands_before(const std::string& a, const std::string& b) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0;
+  std::size_t k = 0;
+  while (i < a.size() && k < b.size()) {
+    if (digit(a[i]) && digit(b[k])) {
+      char* after_a = nullptr;
+      char* after_b = nullptr;
+      const double one = std::strtod(a.c_str() + i, &after_a);
+      const double other = std::strtod(b.c_str() + k, &after_b);
+      if (one != other) return one < other;
+      i = static_cast<std::size_t>(after_a - a.c_str());
+      k = static_cast<std::size_t>(after_b - b.c_str());
+    } else {
+      if (a[i] != b[k]) return a[i] < b[k];
+      ++i;
+      ++k;
+    }
+  }
+  return a.size() - i < b.size() - k;
+}
+
+/// The text without the mark of a tag.
+std::string sorted_text(const std::string& cell) {
+  return lower(cell.starts_with("* ") ? cell.substr(2) : cell);
+}
+
+/// What is no number stands below those that are.
+bool stands_above(const std::string& a,
+                  const std::string& b,
+                  bool numbers,
+                  bool rising) {
+  if (!numbers) return stands_before(sorted_text(a), sorted_text(b));
   const auto one = number_of(a);
   const auto other = number_of(b);
   if (!one || !other) return one.has_value() && !other.has_value();
-  return *one > *other;
+  return rising ? *one < *other : *one > *other;
 }
 
 std::size_t place_of(const std::vector<std::size_t>& rows, std::size_t row) {
@@ -138,7 +169,8 @@ std::vector<std::size_t> visible_rows(const Table& table,
   std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
     return stands_above(cell(table.rows[a], column),
                         cell(table.rows[b], column),
-                        table.columns[column].right);
+                        table.columns[column].right,
+                        state.rising);
   });
   return rows;
 }
@@ -201,12 +233,23 @@ bool list_key(ListState& state, const Table& table, Key key, int page) {
   return true;
 }
 
-bool sort_key(ListState& state, const Table& table, Key key) {
+bool sort_key(ListState& state,
+              const Table& table,
+              Key key,
+              std::string& told) {
   if (key != U's') return false;
   const std::size_t at = sorting_column(table, state);
-  const std::size_t next = at == table.columns.size() ? 0 : at + 1;
-  state.sorted_by =
-      next < table.columns.size() ? table.columns[next].title : std::string();
+  const std::size_t count = table.columns.size();
+  if (at < count && table.columns[at].right && !state.rising) {
+    state.rising = true;
+  } else {
+    state.rising = false;
+    const std::size_t next = at == count ? 0 : at + 1;
+    state.sorted_by = next < count ? table.columns[next].title : "";
+  }
+  told = state.sorted_by.empty() ? "not sorted"
+                                 : "sorted by " + state.sorted_by +
+                                       (state.rising ? ", rising" : "");
   return true;
 }
 
@@ -234,7 +277,7 @@ void draw_table(Screen& screen,
         std::accumulate(widths.begin(),
                         widths.begin() + static_cast<std::ptrdiff_t>(sorted),
                         indented.x + behind + 2 * static_cast<int>(sorted));
-    screen.put(x, rect.y, U'▾', {.colour = Colour::Sky});
+    screen.put(x, rect.y, state.rising ? U'▴' : U'▾', {.colour = Colour::Sky});
   }
   const std::vector<std::size_t> rows = visible_rows(table, state);
   const int room = rect.height - 1;

@@ -28,9 +28,10 @@ struct Table {
 struct ListState {
   std::size_t selected = 0;  ///< index into Table::rows
   std::string filter;        ///< rows without this text are hidden
-  /// Title of the column by which rows stand, the largest number or the first
-  /// word above; empty, or of no column: as they come.
+  /// Title of the column by which rows stand; empty, or of no column: as they
+  /// come.
   std::string sorted_by = {};
+  bool rising = false;  ///< numbers from the smallest up
 };
 
 /// Indices of the rows that hold the filter's text (any case), as they stand.
@@ -53,10 +54,12 @@ inline constexpr const char* nothing_matches =
 /// @return true when the key was one of these
 bool list_key(ListState& state, const Table& table, Key key, int page = 10);
 
-/// s sorts by the first column, then by the next, then by none.
+/// s sorts by the first column, then by the next, then by none: texts by the
+/// alphabet, numbers from the largest down, then from the smallest up.
 ///
+/// @param told says by what, also where the column has no room on the screen
 /// @return true when it was that key
-bool sort_key(ListState& state, const Table& table, Key key);
+bool sort_key(ListState& state, const Table& table, Key key, std::string& told);
 
 /// Heading, then as many rows as fit, the selected one among them. Columns
 /// that do not fit are left out from the right, but the first of them is cut

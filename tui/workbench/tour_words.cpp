@@ -9,6 +9,18 @@ constexpr const char* recording =
     "reason; Space overrules. R replays the run as if it were being measured. "
     "Then 2.";
 
+constexpr const char* no_recordings =
+    "1 of 7. This test came without recordings, as FRFs or modes, and is taken "
+    "up there. Then 2.";
+
+constexpr const char* no_frfs =
+    "2 of 7. This test consists of modes, and has no FRFs. Then 3.";
+
+constexpr const char* comparison_of_modes =
+    "4 of 7. The model's modes beside those that were measured. The error is "
+    "the share of what was measured that it misses, the floor what a right "
+    "model would miss, too. Then 5.";
+
 constexpr const char* frfs =
     "2 of 7. FRFs: what the structure answers to a newton, with coherence and "
     "the scatter over the hits. j k go through them, n p from peak to peak, d "
@@ -28,9 +40,9 @@ constexpr const char* comparison =
     "map says which FRF fails in which band; Enter opens it. Then 5.";
 
 constexpr const char* being_tried =
-    "5 of 7. All effects are being tried at all places. What has been fitted "
-    "is listed already and can be added; the verdict waits for all, half a "
-    "minute on the demonstration.";
+    "5 of 7. All effects are tried at all places. What has been fitted is "
+    "listed already and can be added; the verdict waits for all, half a "
+    "minute on the demonstration. Where it was stopped, r begins again.";
 
 constexpr const char* nothing_found =
     "5 of 7. The verdict, and what was tried. No effect was found that the "
@@ -67,15 +79,18 @@ std::string tour_words(std::size_t screen, const Snapshot& known) {
   constexpr std::size_t last = 6;
   const bool wants_model = screen >= first_about_model && screen < last;
   if (wants_model && known.bundle && !known.has_model) return no_model;
+  const bool of_modes = known.bundle && known.bundle->modes;
+  const bool recorded =
+      !known.bundle || !(known.bundle->frfs || known.bundle->modes);
   switch (screen) {
     case 0:
-      return recording;
+      return recorded ? recording : no_recordings;
     case 1:
-      return frfs;
+      return of_modes ? no_frfs : frfs;
     case 2:
       return modes;
     case 3:
-      return comparison;
+      return of_modes ? comparison_of_modes : comparison;
     case 4:
       return on_diagnosis(known);
     case 5:

@@ -13,6 +13,7 @@ FormShift form_shift(const Eigen::VectorXd& omega,
   // What the change itself adds in stiffness is known: below 1 without it.
   const double share = b.squaredNorm() / w2;
   if (share <= 1.0) return {1.0, share * share, b(mode) * b(mode) / w2};
+  if (!(omega(mode) > 0.0)) return {1.0, 1.0, 0.0};
   const double c = after.omega * after.of_now / omega(mode);
   return {1.0, 1.0, std::min(1.0, c * c)};
 }

@@ -33,7 +33,8 @@ int index_from(const json& value, const char* counted) {
     constexpr int most = std::numeric_limits<int>::max();
     if (number >= 1 && number <= most) return static_cast<int>(number - 1);
   }
-  throw std::out_of_range(fmt::format("{} are counted from 1", counted));
+  throw std::out_of_range(
+      fmt::format("{} are counted from 1, in whole numbers", counted));
 }
 
 // What is written by hand and misspelt must not be lost without a word.

@@ -40,6 +40,13 @@ TEST(Tour, EndsWhereItIsTypedAgainAndIsNotThereUnasked) {
   EXPECT_FALSE(holds(played(begin + begin + "1\nwait"), "1 of 7."));
 }
 
+TEST(Tour, KnowsThatATestMayComeWithoutRecordings) {
+  FakeOptions options;
+  options.ready_frfs = true;
+  const std::string text = played(begin + "1\nwait", {}, options);
+  EXPECT_TRUE(holds(text, "came without recordings")) << text;
+}
+
 TEST(Tour, GivesWayToTheHelp) {
   const std::string text = played(begin + "1\nwait\n?\n");
   EXPECT_FALSE(holds(text, "1 of 7.")) << text;

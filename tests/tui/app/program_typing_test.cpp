@@ -32,11 +32,16 @@ TEST(Palette, SaysWhatCommandsDo) {
   EXPECT_TRUE(holds(one, "takes the mode there out")) << one;
   EXPECT_FALSE(holds(one, "tries what failed again")) << one;
   EXPECT_FALSE(holds(played("1\nwait\n:drop<Esc>"), "takes the mode"));
+  EXPECT_TRUE(holds(played("1\nwait\n:"), "... 4 more"));
+  EXPECT_FALSE(holds(played("1\nwait\n:", {120, 35, false}), " more"));
 }
 
 TEST(Palette, FindsCommandsByTheirLetters) {
   EXPECT_TRUE(holds(played("1\nwait\n:dck"), "writes the updated deck"));
   EXPECT_TRUE(holds(played("1\nwait\n:dck<Tab>"), "\n:deck"));
+  EXPECT_TRUE(holds(played("1\nwait\n:tor<Enter>"), "1 of 7."));
+  const std::string unclear = played("1\nwait\n:t<Enter>");
+  EXPECT_TRUE(holds(unclear, "write one of :toggle :tour")) << unclear;
   // Of several that hold them Tab takes none.
   EXPECT_TRUE(holds(played("1\nwait\n:ot<Tab>"), "\n:ot "));
   EXPECT_FALSE(holds(played("1\nwait\n:zzz"), "command (Tab"));

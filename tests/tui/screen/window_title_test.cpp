@@ -15,9 +15,11 @@ TEST(WindowTitle, IsSentToWindowsAlone) {
 
 // A test's title is somebody else's, and must not end the sequence.
 TEST(WindowTitle, LetsNoControlCharacterThrough) {
-  EXPECT_EQ(title_sequence("plate"), "\033]2;plate\a");
-  EXPECT_EQ(title_sequence("a\a\033]52;c;x\nb"), "\033]2;a??]52;c;xb\a");
-  EXPECT_EQ(title_sequence("Prüfung"), "\033]2;Prüfung\a");
+  EXPECT_EQ(title_sequence("plate", false), "\033]2;plate\a");
+  EXPECT_EQ(title_sequence("a\a\033]52;c;x\nb", false), "\033]2;a??]52;c;xb\a");
+  EXPECT_EQ(title_sequence("Pr\u00fcfung \u2265", true).find("\u2265"),
+            std::string::npos);
+  EXPECT_EQ(title_sequence("Prüfung", false), "\033]2;Prüfung\a");
 }
 
 }  // namespace

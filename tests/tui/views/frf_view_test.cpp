@@ -112,6 +112,19 @@ TEST(FrfView, ShowsDecibels) {
               0.051);
 }
 
+// Driving points and reciprocity are looked at as accelerances.
+TEST(FrfView, ChecksAccelerances) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  FrfState state;
+  state.range.cursor = frfs.frequency_hz()(frfs.lines() / 2);
+  state.range.cursor_set = true;
+  state.checks = true;
+  const Canvas canvas{120, 32, false};
+  const std::string before = last_line(frf_view(frfs, state, canvas));
+  state.form = signal::FrfForm::Receptance;
+  EXPECT_EQ(last_line(frf_view(frfs, state, canvas)), before);
+}
+
 TEST(InScale, LeavesAGapWhereThereIsNothing) {
   Plot plot;
   plot.y.unit = "m/N";

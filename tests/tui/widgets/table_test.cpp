@@ -60,20 +60,23 @@ TEST(Table, FilterHidesRowsAndMovesTheSelection) {
   EXPECT_EQ(state.selected, 19U);
 }
 
-// Candidates by probability, FRFs by coherence; what is marked stays marked.
+// FRFs by name or coherence; what is marked stays marked.
 TEST(Table, SortsByOneColumnAfterTheOther) {
   const Table table{{{"name"}, {"p", true}},
-                    {{{"beta", "<0.001"}, {}},
-                     {{"Alpha", "0.927"}, {}},
+                    {{{"145Z+", "<0.001"}, {}},
+                     {{"* 60Z+", "0.927"}, {}},
                      {{"gamma", "–"}, {}},
-                     {{"delta", "1.000"}, {}}}};
+                     {{"Delta", "1.000"}, {}}}};
   ListState state{1, ""};
+  std::string told;
   const auto order = [&] { return visible_rows(table, state); };
   using Rows = std::vector<std::size_t>;
   EXPECT_EQ(order(), (Rows{0, 1, 2, 3}));
-  EXPECT_TRUE(sort_key(state, table, Key(U's')));
-  EXPECT_EQ(order(), (Rows{1, 0, 3, 2}));
-  EXPECT_TRUE(sort_key(state, table, Key(U's')));
+  EXPECT_TRUE(sort_key(state, table, Key(U's'), told));
+  EXPECT_EQ(order(), (Rows{1, 0, 3, 2}))
+      << "60 before 145, and no matter a tag";
+  EXPECT_EQ(told, "sorted by name");
+  EXPECT_TRUE(sort_key(state, table, Key(U's'), told));
   EXPECT_EQ(order(), (Rows{3, 1, 0, 2}));
   EXPECT_EQ(settled(table, state), 1U);
   EXPECT_TRUE(list_key(state, table, keys::down));
@@ -82,17 +85,22 @@ TEST(Table, SortsByOneColumnAfterTheOther) {
   draw_table(screen, screen.area(), table, state, true);
   const std::string text = screen.to_text();
   EXPECT_NE(text.find("p▾"), std::string::npos) << text;
-  EXPECT_LT(text.find("delta"), text.find("Alpha")) << text;
-  EXPECT_TRUE(sort_key(state, table, Key(U's')));
+  EXPECT_LT(text.find("Delta"), text.find("60Z+")) << text;
+  EXPECT_TRUE(sort_key(state, table, Key(U's'), told));
+  EXPECT_EQ(order(), (Rows{0, 1, 3, 2}));
+  EXPECT_EQ(told, "sorted by p, rising");
+  EXPECT_TRUE(sort_key(state, table, Key(U's'), told));
   EXPECT_EQ(order(), (Rows{0, 1, 2, 3}));
-  EXPECT_FALSE(sort_key(state, table, Key(U'x')));
+  EXPECT_EQ(told, "not sorted");
+  EXPECT_FALSE(sort_key(state, table, Key(U'x'), told));
 }
 
 TEST(Table, KeepsToNoColumnThatIsNotThere) {
   ListState state{0, "", "gone"};
+  std::string told;
   EXPECT_EQ(visible_rows(numbers(3), state),
             (std::vector<std::size_t>{0, 1, 2}));
-  EXPECT_TRUE(sort_key(state, numbers(0), Key(U's')));
+  EXPECT_TRUE(sort_key(state, numbers(0), Key(U's'), told));
   EXPECT_TRUE(visible_rows(numbers(0), state).empty());
 }
 
