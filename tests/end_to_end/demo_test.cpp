@@ -224,6 +224,19 @@ TEST_F(Demo, RoundingDoesNotChangeWhatIsIdentified) {
       plain, three_effects(with_deck(folder / "other", in_other_order(deck))));
 }
 
+// What is missing still is none of the floor, however like a wrong form it
+// looks.
+TEST_F(Demo, WithOneEffectOfThreeTheErrorIsAboveTheFloor) {
+  const auto result = run_tapfit(
+      fmt::format("update '{}' --effect sensor-mass --json", demo.string()));
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  const json error = json::parse(result.out).at("error");
+  // Where the screens begin to ask what else is missing.
+  constexpr double near_floor = 1.3;
+  EXPECT_GT(error.at("best").get<double>(),
+            near_floor * error.at("floor").get<double>());
+}
+
 TEST_F(Demo, TheLargeEffectsAreFoundAndNoneInvented) {
   const std::string verdict = run_.at("diagnose").at("verdict");
   const std::set<std::string> found = split(verdict, '+');

@@ -21,7 +21,11 @@ FormShare form_share(const Fit& fit, const Target& target, double noise) {
   const double middle = 0.5 * middle_tau * fit.form.allowance;
   const double usual = explained * std::min(1.0, middle / sd);
   if (sd > plausible) return {sd, 0.0, error, usual};
-  return {sd, explained, left, usual};
+  // What is missing looks like a form that is further off than two decks of
+  // three are: of that no more than theirs is the form's.
+  constexpr double spread = 3.0;  // of the middle, see form_error.hpp
+  const double share = explained * std::min(1.0, spread * middle / sd);
+  return {sd, share, left, usual};
 }
 
 }  // namespace tapfit::updating
