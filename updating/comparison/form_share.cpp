@@ -21,9 +21,9 @@ FormShare form_share(const Fit& fit, const Target& target, double noise) {
   const double middle = 0.5 * middle_tau * fit.form.allowance;
   const double usual = explained * std::min(1.0, middle / sd);
   if (sd > plausible) return {sd, 0.0, error, usual};
-  // What is missing looks like a form that is further off than two decks of
-  // three are: of that no more than theirs is the form's.
-  constexpr double spread = 3.0;  // of the middle, see form_error.hpp
+  // What is missing looks like a form that is further off than careful decks
+  // are: of that no more than theirs is the form's.
+  constexpr double spread = 3.0;  // one deviation of the prior of tau
   const double share = explained * std::min(1.0, spread * middle / sd);
   return {sd, share, left, usual};
 }

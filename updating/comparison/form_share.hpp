@@ -8,10 +8,10 @@ namespace tapfit::updating {
 /// What of a fit's error the deck's form explains.
 struct FormShare {
   double sd = 0.0;     ///< of a mode's frequency, relative
-  double error = 0.0;  ///< what it explains, where two decks of three are off
-                       ///< by no more: 0.9 % in frequency
-  double left = 0.0;   ///< what no form explains: all, where it would have to be
-                       ///< off by more than any careful deck is, 2 %
+  double error = 0.0;  ///< what it explains, of a form that is off by more than
+                       ///< 0.9 % in frequency the part of one that is by that
+  double left = 0.0;  ///< what no form explains: all, where it would have to be
+                      ///< off by more than any careful deck is, 2 %
   double usual = 0.0;  ///< of what it explains, what a careful deck leaves in
                        ///< the middle: off by 0.3 % in frequency
 };

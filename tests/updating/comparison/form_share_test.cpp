@@ -49,7 +49,7 @@ TEST_F(FormShares, AreUsualUpToACarefulDecks) {
 }
 
 // What is far off is missing rather than wrong in form: the form's share is
-// what two decks of three are off by at most, three times what is usual.
+// what careful decks are off by, three times what is usual.
 TEST_F(FormShares, AreInPartBeyondTheMostOfCarefulDecks) {
   const FormShare within = of(0.012);  // 0.6 %, twice what is usual
   // Twenty patterns tell tau to 16 %; the prior and the grid of tau add to
