@@ -206,17 +206,25 @@ FrfChoice chosen_frfs(const FrfSet& frfs,
                       signal::FrfForm form) {
   constexpr auto measured = signal::FrfForm::Accelerance;
   FrfChoice choice;
-  choice.frfs.s = frfs.s;
   choice.form = form;
+  // An accelerance says nothing of the others at s = 0.
+  const bool cut =
+      form != measured && frfs.lines() > 0 && std::abs(frfs.s[0]) == 0.0;
+  choice.frfs.s = frfs.s.tail(frfs.lines() - (cut ? 1 : 0));
+  const Index lines = choice.frfs.lines();
+  const Eigen::VectorXcd factor = signal::convert(
+      Eigen::VectorXcd::Ones(lines), choice.frfs.s, measured, form);
   for (const std::size_t k : shown) {
     Frf frf = frfs.frfs[k];
-    if (form != measured && frf.H.size() == frfs.s.size()) {
-      const Eigen::VectorXcd factor = signal::convert(
-          Eigen::VectorXcd::Ones(frfs.s.size()), frfs.s, measured, form);
-      frf.H = frf.H.cwiseProduct(factor);
-      if (frf.variance.size() == factor.size()) {
-        frf.variance = frf.variance.cwiseProduct(factor.cwiseAbs2());
-      }
+    if (frf.H.size() == frfs.lines()) {
+      frf.H = frf.H.tail(lines).cwiseProduct(factor).eval();
+    }
+    if (frf.variance.size() == frfs.lines()) {
+      frf.variance =
+          frf.variance.tail(lines).cwiseProduct(factor.cwiseAbs2()).eval();
+    }
+    if (frf.coherence.size() == frfs.lines()) {
+      frf.coherence = frf.coherence.tail(lines).eval();
     }
     choice.frfs.frfs.push_back(std::move(frf));
   }

@@ -22,6 +22,7 @@ struct FrfChoice {
   }
 };
 
+/// Without the line at s = 0 where that is another form than was measured.
 /// @param shown places of some in the set, the selected one first
 [[nodiscard]] FrfChoice chosen_frfs(const signal::FrfSet& frfs,
                                     const std::vector<std::size_t>& shown,

@@ -112,6 +112,26 @@ TEST(FrfView, ShowsDecibels) {
               0.051);
 }
 
+// A = s^2 R says nothing of R at s = 0, where a free structure's is infinite.
+TEST(FrfView, LeavesOutWhatIsNotKnownAtNoFrequency) {
+  signal::FrfSet frfs = testing::fake_frfs();
+  frfs.s = Eigen::VectorXd::LinSpaced(frfs.lines(), 0.0, 100.0) *
+           std::complex<double>(0.0, 1.0);
+  using signal::FrfForm;
+  for (const FrfForm form : {FrfForm::Mobility, FrfForm::Receptance}) {
+    const FrfChoice choice = chosen_frfs(frfs, {0}, form);
+    const Eigen::Index lines = frfs.lines() - 1;
+    ASSERT_EQ(choice.frfs.lines(), lines);
+    EXPECT_EQ(choice.frfs.s(0), frfs.s(1));
+    EXPECT_EQ(choice.selected().H.size(), lines);
+    EXPECT_EQ(choice.selected().variance.size(), lines);
+    EXPECT_EQ(choice.selected().coherence.size(), lines);
+    EXPECT_GT(std::abs(choice.selected().H(0)), 0.0);
+  }
+  const FrfChoice measured = chosen_frfs(frfs, {0}, FrfForm::Accelerance);
+  EXPECT_EQ(measured.frfs.lines(), frfs.lines());
+}
+
 // Driving points and reciprocity are looked at as accelerances.
 TEST(FrfView, ChecksAccelerances) {
   const signal::FrfSet frfs = testing::fake_frfs();
