@@ -110,6 +110,12 @@ void Screen::place(int x, int y, const Screen& other) {
   }
 }
 
+void Screen::name_pane(const Rect& rect, std::size_t number) {
+  for (Zone& zone : zones_) {
+    if (rect.holds(zone.rect.x, zone.rect.y)) zone.pane = number;
+  }
+}
+
 const Zone* Screen::zone_at(int x, int y) const {
   const auto found =
       std::find_if(zones_.rbegin(), zones_.rend(), [&](const Zone& zone) {

@@ -62,13 +62,15 @@ struct Rect {
 };
 
 /// Where a click means something: a row of a list, a place along a plot's x
-/// axis, a key of the key bar, an entry of a map.
+/// axis, a key of the key bar, an entry of a map, a command of the palette.
 struct Zone {
-  enum class Kind { Row, PlotX, Key, Entry };
+  enum class Kind { Row, PlotX, Key, Entry, Command };
   Rect rect;
   Kind kind = Kind::Row;
-  std::size_t index = 0;   ///< of the row (also of an entry's), or the key
+  /// Of the row (also of an entry's) or of the command, or the key.
+  std::size_t index = 0;
   std::size_t column = 0;  ///< of the entry
+  std::size_t pane = 0;    ///< which of several lists or maps it is in
   double from = 0.0;       ///< x at the first and at the last column of cells
   double to = 0.0;
   bool log = false;
@@ -126,6 +128,8 @@ class Screen {
   /// Where clicks mean something; the last one put there counts.
   void zone(const Zone& zone) { zones_.push_back(zone); }
   [[nodiscard]] const Zone* zone_at(int x, int y) const;
+  /// What is drawn in there so far is the pane of that number.
+  void name_pane(const Rect& rect, std::size_t number);
   /// Copies another screen's cells and zones to (x, y).
   void place(int x, int y, const Screen& other);
 

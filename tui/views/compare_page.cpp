@@ -186,19 +186,22 @@ bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
 }
 
 bool ComparePage::click(const Snapshot& known, const Zone& zone, int x) {
-  if (zone.kind == Zone::Kind::Entry && state_.focus == Focus::Mac &&
-      zone.index < static_cast<std::size_t>(known.comparison->mac.rows())) {
+  const auto pane = static_cast<Focus>(zone.pane);
+  if (zone.kind == Zone::Kind::Entry && pane == Focus::Mac) {
+    state_.focus = Focus::Mac;
     state_.mac_row = zone.index;
     state_.mac_column = zone.column;
-    return true;
-  }
-  if (zone.kind == Zone::Kind::Entry) {
+  } else if (zone.kind == Zone::Kind::Entry) {
     state_.focus = Focus::Map;
     state_.list.selected = zone.index;
     state_.band = zone.column;
-    return true;
+  } else if (zone.kind == Zone::Kind::Row && pane == Focus::Pairs) {
+    state_.focus = Focus::Pairs;
+    state_.pairs.selected = zone.index;
+  } else {
+    return Page::click(known, zone, x);
   }
-  return Page::click(known, zone, x);
+  return true;
 }
 
 std::vector<KeyHelp> ComparePage::keys() const {
@@ -227,7 +230,8 @@ std::string ComparePage::help() const {
          "cells are ten times the floor. Tab goes from the list of FRFs to the "
          "map "
          "(which FRF fails in which band), the modes, the MAC and the "
-         "structure (which point). Enter shows the curves behind the number "
+         "structure (which point); where the window is wide they all stand "
+         "beside each other. Enter shows the curves behind the number "
          "that is marked, once more the FRF by itself; Esc comes back.";
 }
 

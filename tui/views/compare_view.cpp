@@ -20,11 +20,16 @@
 namespace tapfit::tui {
 namespace {
 
+using Focus = CompareState::Focus;
+
 /// What the keys move in stands out.
 Style heading(bool focused) {
   return focused ? Style{.colour = Colour::Sky, .bold = true}
                  : Style{.colour = Colour::Grey};
 }
+
+/// From so many columns on, all panes are shown.
+constexpr int all_at_once = 180;
 
 double value_or_nan(const std::vector<double>& values, std::size_t i) {
   return i < values.size() ? values[i] : std::nan("");
@@ -114,7 +119,7 @@ void draw_points(Screen& screen,
   screen.text(rect.x + 1,
               rect.y,
               "error at the measured points",
-              heading(true),
+              heading(state.focus == Focus::Structure),
               rect.width - 1);
   const auto [body, lines] =
       split_top(split_top(rect, 1).second, rect.height - 3);
@@ -151,7 +156,7 @@ void draw_mac(Screen& screen,
                            rigid_words(c.modes.frequency_hz),
                        "MAC in %" + rigid_words(c.modes.frequency_hz)},
                       rect.width - 1),
-              heading(true),
+              heading(state.focus == Focus::Mac),
               rect.width - 1);
   HeatMap map = mac_map(c.mac, c.modes.frequency_hz);
   for (const double hz : measured_hz(input)) {
@@ -162,23 +167,31 @@ void draw_mac(Screen& screen,
   const Rect body = split_top(rect, 1).second;
   scroll_to_mark(map, body);
   draw_heat_map(screen, body, map);
+  screen.name_pane(body, static_cast<std::size_t>(Focus::Mac));
+}
+
+void draw_pairs(Screen& screen,
+                const Rect& rect,
+                const CompareInput& input,
+                const CompareState& state) {
+  draw_table(screen,
+             rect,
+             compared_table(compared_modes(input)),
+             state.pairs,
+             state.focus == Focus::Pairs);
+  screen.name_pane(rect, static_cast<std::size_t>(Focus::Pairs));
 }
 
 void draw_right(Screen& screen,
                 const Rect& rect,
                 const CompareInput& input,
                 const CompareState& state) {
-  using Focus = CompareState::Focus;
   if (state.focus == Focus::Structure) {
     draw_points(screen, rect, input, state);
   } else if (state.focus == Focus::Mac) {
     draw_mac(screen, rect, input, state);
   } else {
-    draw_table(screen,
-               rect,
-               compared_table(compared_modes(input)),
-               state.pairs,
-               state.focus == Focus::Pairs);
+    draw_pairs(screen, rect, input, state);
   }
 }
 
@@ -196,18 +209,11 @@ void draw_modes_alone(Screen& screen,
   const bool shapes = input.modes != nullptr && !input.modes->dofs.empty();
   const auto [pairs, mac] =
       split_left(body, shapes ? std::min(44, rect.width / 2) : body.width);
-  const bool on_mac = shapes && state.focus == CompareState::Focus::Mac;
-  draw_table(screen,
-             pairs,
-             compared_table(compared_modes(input)),
-             state.pairs,
-             !on_mac);
+  draw_pairs(screen, pairs, input, state);
   if (shapes) draw_mac(screen, mac, input, state);
 }
 
-void draw_overlay(Screen& screen,
-                  const Rect& rect,
-                  const CompareInput& input,
+Plot overlay_plot(const CompareInput& input,
                   const CompareState& state,
                   std::size_t selected) {
   const signal::Frf& frf = input.frfs.frfs[selected];
@@ -222,7 +228,32 @@ void draw_overlay(Screen& screen,
                         input.comparison.model_frfs[selected],
                         {Colour::Orange, Pattern::Dashed, 'o'}));
   }
-  plot = in_scale(std::move(plot), state.scale);
+  return in_scale(std::move(plot), state.scale);
+}
+
+/// What the model leaves of the measured FRF, line by line.
+Plot residual_plot(const CompareInput& input,
+                   const CompareState& state,
+                   std::size_t selected) {
+  Plot plot = frf_plot(input.frfs, state.range);
+  plot.y.label = "|residual|";
+  const Eigen::VectorXcd& measured = input.frfs.frfs[selected].H;
+  const Eigen::VectorXcd& model = input.comparison.model_frfs[selected];
+  if (measured.size() == model.size()) {
+    plot.curves.push_back(magnitude_curve(
+        "", input.frfs.frequency_hz(), measured - model, {Colour::Purple}));
+  }
+  return in_scale(std::move(plot), state.scale);
+}
+
+/// The selected FRF, measured and of the model; where there is room, what is
+/// left between them.
+void draw_curves(Screen& screen,
+                 const Rect& rect,
+                 const CompareInput& input,
+                 const CompareState& state,
+                 std::size_t selected) {
+  Plot plot = overlay_plot(input, state, selected);
   const std::vector<std::string> lines =
       wrapped(plot.cursor ? read_out(plot, *plot.cursor)
                           : contour_words(input.comparison.contour),
@@ -230,7 +261,12 @@ void draw_overlay(Screen& screen,
               2);
   const int rows = static_cast<int>(lines.size());
   const auto [body, below] = split_top(rect, rect.height - rows);
-  draw_plot(screen, body, plot);
+  const bool strip =
+      body.height >= 20 && selected < input.comparison.model_frfs.size();
+  const auto [upper, lower] = split_top(body, body.height - (strip ? 8 : 0));
+  plot.x_labels = !strip;
+  draw_plot(screen, upper, plot);
+  if (strip) draw_plot(screen, lower, residual_plot(input, state, selected));
   for (int i = 0; i < rows; ++i) {
     screen.text(below.x + 1,
                 below.y + i,
@@ -297,15 +333,21 @@ Screen compare_view(const CompareInput& input,
   const bool wide = canvas.width >= 110;
   const auto [first, rest] = split_left(upper, wide ? 32 : 0);
   if (wide) draw_table(screen, first, table, state.list, true);
-  const auto [map, pairs] = split_left(rest, rest.width - 40);
-  draw_error_map(screen,
-                 map,
-                 input,
-                 selected,
-                 state.band,
-                 state.focus == CompareState::Focus::Map);
-  draw_right(screen, pairs, input, state);
-  draw_overlay(screen, lower, input, state, selected);
+  const int pane = canvas.width < all_at_once ? 40 : 84;
+  const auto [map, right] = split_left(rest, rest.width - pane);
+  draw_error_map(
+      screen, map, input, selected, state.band, state.focus == Focus::Map);
+  if (canvas.width < all_at_once) {
+    draw_right(screen, right, input, state);
+    draw_curves(screen, lower, input, state, selected);
+    return screen;
+  }
+  const auto [pairs, mac] = split_left(right, right.width / 2);
+  draw_pairs(screen, pairs, input, state);
+  draw_mac(screen, mac, input, state);
+  const auto [curves, points] = split_left(lower, lower.width * 2 / 3);
+  draw_curves(screen, curves, input, state, selected);
+  draw_points(screen, points, input, state);
   return screen;
 }
 

@@ -266,44 +266,19 @@ TEST(Program, FiltersLists) {
   EXPECT_TRUE(holds(played("2\nwait\n/4Z+ / 4<Enter><Esc>"), "6Z+ / 3Z+"));
 }
 
-Key click(int x, int y) {
-  Key key(keys::click);
-  key.x = x;
-  key.y = y;
-  return key;
-}
-
-/// Where the text stands on the screen.
-std::pair<int, int> place_of(const Program& program, const std::string& text) {
-  std::istringstream lines(program.draw().to_text());
-  std::string line;
-  for (int y = 0; std::getline(lines, line); ++y) {
-    const std::size_t at = line.find(text);
-    if (at != std::string::npos) return {text_width(line.substr(0, at)), y};
+// Maps, shapes and curves stand beside each other where there is room.
+TEST(Program, ComparesAllAtOnceOnAWideScreen) {
+  const std::vector<std::string> parts{"error [%] by band",
+                                       "measured Hz",
+                                       "MAC in %",
+                                       "error at the measured points",
+                                       "━ measured",
+                                       "|residual|"};
+  const std::string wide = played("4\nwait", {200, 50});
+  for (const std::string& part : parts) {
+    EXPECT_TRUE(holds(wide, part)) << part << "\n" << wide;
   }
-  return {-1, -1};
-}
-
-TEST(Program, TakesClicksWhereTheyMeanSomething) {
-  Program program(testing::fake_workbench(), {100, 30, false});
-  wait_until_idle(program);
-  const auto press = [&](const std::string& text) {
-    const auto [x, y] = place_of(program, text);
-    ASSERT_GE(y, 0) << text << "\n" << program.draw().to_text();
-    program.press(click(x, y));
-    wait_until_idle(program);
-  };
-  press("2 FRF");  // a tab
-  EXPECT_TRUE(holds(program.draw().to_text(), "|H|"));
-  press("6Z+ / 3Z+");  // a row
-  EXPECT_TRUE(holds(program.draw().to_text(), "▸6Z+ / 3Z+"));
-  press("Tab next plot");  // a key of the key bar
-  EXPECT_TRUE(holds(program.draw().to_text(), "coherence"));
-  const auto [x, y] = place_of(program, "┤");
-  program.press(click(x + 8, y));  // the plot: the cursor goes there
-  EXPECT_TRUE(holds(program.draw().to_text(), "coherence 0.9")) << x << y;
-  program.press(click(x, 29));  // nothing there
-  EXPECT_FALSE(program.quit());
+  EXPECT_FALSE(holds(played("4\nwait", {120, 35}), "MAC in %"));
 }
 
 TEST(Program, GoesFromNumbersToTheirCurvesAndBack) {
