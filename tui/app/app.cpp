@@ -7,6 +7,7 @@
 #include "tui/app/recent_bundles.hpp"
 #include "tui/app/replay.hpp"
 #include "tui/app/session_workbench.hpp"
+#include "tui/app/settings.hpp"
 #include "tui/options/exit_status.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/screen/glyphs.hpp"
@@ -98,14 +99,16 @@ bool let_go(Program& program) {
 }
 
 std::unique_ptr<Terminal> open_terminal(const AppOptions& options,
+                                        const Settings& settings,
                                         Glyphs glyphs) {
   const char* variable = std::getenv("COLORFGBG");
   const std::string said = variable != nullptr ? variable : "";
+  const bool light = settings.light.value_or(is_light(said));
   return std::make_unique<Terminal>(
-      TerminalOptions{options.no_colour,
+      TerminalOptions{options.no_colour ? Theme::Mono : settings.theme,
                       options.no_mouse,
                       glyphs == Glyphs::Blocks,
-                      options.light || (!options.dark && is_light(said))});
+                      options.light || (!options.dark && light)});
 }
 
 int ended() {
@@ -116,9 +119,11 @@ int ended() {
 int run_in_terminal(Opened bench,
                     std::unique_ptr<Terminal> terminal,
                     const AppOptions& options,
+                    const Settings& settings,
                     bool ascii) {
   Program program(std::move(bench),
-                  {terminal->width(), terminal->height(), ascii});
+                  {terminal->width(), terminal->height(), ascii},
+                  settings);
   program.show_tour(options.tour);
   program.copy_with(
       [&terminal](const std::string& text) { terminal->copy(text); });
@@ -170,10 +175,12 @@ int run_app(const std::filesystem::path& asked, const AppOptions& options) {
   if (options.keys_file) return replay_keys(bundle, options, ascii);
   Opened bench;
   if (!bundle.empty()) bench = open_and_remember(bundle);
-  std::unique_ptr<Terminal> terminal = open_terminal(options, glyphs);
+  const Settings settings = read_settings(settings_file());
+  std::unique_ptr<Terminal> terminal = open_terminal(options, settings, glyphs);
   if (bundle.empty()) bench = pick(*terminal, options, ascii);
   if (bench == nullptr) return ended();
-  return run_in_terminal(std::move(bench), std::move(terminal), options, ascii);
+  return run_in_terminal(
+      std::move(bench), std::move(terminal), options, settings, ascii);
 }
 
 }  // namespace tapfit::tui

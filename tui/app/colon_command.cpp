@@ -24,29 +24,43 @@ struct Entry {
   std::string_view name;
   std::string_view takes;
   std::string_view does;
+  std::string_view key = {};    ///< that does it on any screen, as of read_key
+  std::string_view brief = {};  ///< what the help has beside the key, if any
 };
 
-constexpr std::array<Entry, 20> commands{{
+constexpr std::array<Entry, 22> commands{{
     {Kind::Add, "add", "EFFECT[@PLACE] ...", "adds effects to the model"},
     {Kind::Band, "band", "LOW HIGH", "looks for modes in this band [Hz]"},
+    {Kind::Copy, "copy", "", "copies what is plotted", "y", "copy plot"},
     {Kind::Deck, "deck", "[FILE]", "writes the updated deck"},
     {Kind::Drop, "drop", "HZ", "takes the mode there out"},
     {Kind::Quit, "exit", "", "leaves the program"},
-    {Kind::Help, "help", "", "what the screen shows, and all keys"},
+    {Kind::Help, "help", "", "what the screen shows, and all keys", "?"},
+    {Kind::Keep,
+     "keep",
+     "",
+     "ends a fit and keeps it",
+     "S",
+     "end fit, keep it"},
     {Kind::Pair, "pair", "I:K", "pairs a measured mode with the model's"},
     {Kind::Pick, "pick", "HZ", "puts a mode in there"},
-    {Kind::Plot, "plot", "[NAME]", "writes what is plotted, SVG and CSV"},
-    {Kind::Quit, "quit", "", "leaves the program"},
-    {Kind::Redo, "redo", "", "does what was undone again"},
+    {Kind::Plot,
+     "plot",
+     "[NAME]",
+     "writes what is plotted, SVG and CSV",
+     "P",
+     "write plot"},
+    {Kind::Quit, "quit", "", "leaves the program", "q", "quit"},
+    {Kind::Redo, "redo", "", "does what was undone again", "<C-r>", "redo"},
     {Kind::Report, "report", "[FILE]", "writes the report"},
-    {Kind::Retry, "retry", "", "tries what failed again"},
+    {Kind::Retry, "retry", "", "tries what failed again", "r", "try again"},
     {Kind::Run, "run", "N", "shows a run of the recording"},
     {Kind::Screen, "screen", "1 ... 7", "shows a screen"},
     {Kind::Stop, "stop", "", "stops what runs"},
     {Kind::Toggle, "toggle", "N", "switches an added effect off and on"},
     {Kind::Tour, "tour", "", "words on each screen, on and off"},
     {Kind::Uff, "uff", "[FILE]", "writes FRFs and modes"},
-    {Kind::Undo, "undo", "", "takes the last step back"},
+    {Kind::Undo, "undo", "", "takes the last step back", "u", "undo"},
 }};
 
 [[noreturn]] void refuse(std::string_view word, std::string_view text) {
@@ -88,11 +102,11 @@ std::vector<const Entry*> meant_by(std::string_view word) {
   return begin.empty() ? hold : begin;
 }
 
-Kind kind_of(std::string_view word, std::string_view text) {
+const Entry& entry_of(std::string_view word, std::string_view text) {
   if (word.empty()) refuse(word, text);
   const std::vector<const Entry*> meant = meant_by(word);
   if (meant.empty()) refuse(word, text);
-  if (meant.size() == 1) return meant.front()->kind;
+  if (meant.size() == 1) return *meant.front();
   std::vector<std::string_view> names;
   for (const Entry* entry : meant) names.push_back(entry->name);
   throw InputError(fmt::format("{} may be any of several commands", word),
@@ -100,15 +114,8 @@ Kind kind_of(std::string_view word, std::string_view text) {
                    fmt::format("write one of :{}", fmt::join(names, " :")));
 }
 
-bool takes_nothing(Kind kind) {
-  constexpr std::array alone{Kind::Quit,
-                             Kind::Help,
-                             Kind::Undo,
-                             Kind::Redo,
-                             Kind::Stop,
-                             Kind::Retry,
-                             Kind::Tour};
-  return std::ranges::find(alone, kind) != alone.end();
+bool takes_more(const Entry& entry) {
+  return !entry.takes.empty() && !entry.takes.starts_with('[');
 }
 
 }  // namespace
@@ -122,12 +129,13 @@ ColonCommand parse_colon_command(std::string_view text) {
   const std::string_view word = line.substr(0, space);
   const std::string_view rest =
       space == std::string_view::npos ? "" : trimmed(line.substr(space));
-  ColonCommand command{kind_of(word, line), std::string(rest), 0};
+  const Entry& entry = entry_of(word, line);
+  ColonCommand command{entry.kind, std::string(rest), 0};
   if (command.kind == Kind::Add && rest.empty()) {
     throw InputError(
         "which effect?", ":add", "write for example :add added-mass@201");
   }
-  if (takes_nothing(command.kind) && !rest.empty()) {
+  if (entry.takes.empty() && !rest.empty()) {
     throw InputError("takes no argument",
                      fmt::format(":{} {}", word, rest),
                      fmt::format("write :{} alone", word));
@@ -160,10 +168,31 @@ std::vector<CommandWords> palette(std::string_view text) {
   const std::size_t space = text.find(' ');
   std::vector<CommandWords> words;
   for (const Entry* entry : meant_by(text.substr(0, space))) {
-    words.push_back({fmt::format("{} {}", entry->name, entry->takes),
-                     std::string(entry->does)});
+    words.push_back({std::string(entry->name),
+                     std::string(entry->takes),
+                     std::string(entry->does),
+                     takes_more(*entry)});
   }
   return words;
+}
+
+const std::vector<KeyBinding>& usual_bindings() {
+  static const std::vector<KeyBinding> bindings = [] {
+    std::vector<KeyBinding> all;
+    for (const Entry& entry : commands) {
+      if (const auto named = read_key(entry.key)) {
+        all.push_back(
+            {named->key, std::string(entry.name), std::string(entry.brief)});
+      }
+    }
+    return all;
+  }();
+  return bindings;
+}
+
+const KeyBinding* binding_of(const std::vector<KeyBinding>& bindings, Key key) {
+  const auto found = std::ranges::find(bindings, key, &KeyBinding::key);
+  return found == bindings.end() ? nullptr : &*found;
 }
 
 std::vector<std::string> completions(std::string_view text,
@@ -208,9 +237,9 @@ std::string completed(std::string_view text,
     common.erase(apart.first, common.end());
   }
   // One that takes something after it goes on to that.
-  const bool takes = common == "add" || common == "toggle" ||
-                     common == "screen" || common == "run";
-  return all.size() == 1 && takes ? common + " " : common;
+  const auto* named = std::ranges::find(commands, common, &Entry::name);
+  const bool goes_on = named != commands.end() && takes_more(*named);
+  return goes_on ? common + " " : common;
 }
 
 }  // namespace tapfit::tui

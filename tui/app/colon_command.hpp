@@ -1,6 +1,7 @@
-// What is typed after ':'.
+// What is typed after ':', and the keys that stand for some of it.
 #pragma once
 
+#include "tui/screen/key.hpp"
 #include "updating/effects/effect.hpp"
 
 #include <string>
@@ -27,6 +28,8 @@ struct ColonCommand {
     Deck,
     Uff,
     Plot,
+    Copy,
+    Keep,
     Stop,
     Retry,
     Tour
@@ -38,22 +41,38 @@ struct ColonCommand {
 };
 
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
-/// "3", "run 12", "report", "deck FILE", "uff", "plot", "stop", "retry",
-/// "drop 12.98", "pick 12.98", "pair 2:3", "band 10 60"; a name may be cut
-/// short while it is clear ("sc 3"), or given by letters of it.
+/// "3", "run 12", "report", "deck FILE", "uff", "plot", "copy", "keep", "stop",
+/// "retry", "drop 12.98", "pick 12.98", "pair 2:3", "band 10 60"; a name may be
+/// cut short while it is clear ("sc 3"), or given by letters of it.
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
 
 /// What is shown of a command while it is typed.
 struct CommandWords {
-  std::string usage;  ///< "drop HZ"
+  std::string name;
+  std::string takes;  ///< "HZ", "[FILE]"
   std::string does;
+  bool takes_more = false;  ///< it can do nothing without
 };
 
 /// The commands that the text may be going on to: those that begin so or, where
 /// none does, hold its letters in this order.
 [[nodiscard]] std::vector<CommandWords> palette(std::string_view text);
+
+/// A key that carries out what could be typed after ':'.
+struct KeyBinding {
+  Key key;
+  std::string command;
+  std::string brief;  ///< what the help has beside the key
+};
+
+/// Those of keys that do the same on every screen.
+[[nodiscard]] const std::vector<KeyBinding>& usual_bindings();
+
+/// The key's, or null.
+[[nodiscard]] const KeyBinding* binding_of(
+    const std::vector<KeyBinding>& bindings, Key key);
 
 /// What the text may be going on to: commands by their names, after "add " the
 /// effects of the catalogue, and after '@' their places. Empty where nothing

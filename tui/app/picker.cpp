@@ -165,7 +165,7 @@ void Picker::click(Key key) {
 }
 
 void Picker::press(Key key) {
-  if (key == keys::resize) return;
+  if (key == keys::resize || key.code == keys::release) return;
   message_.clear();
   if (filtering_) return press_filter(key);
   if (key == U'q' || key == Key(U'c', true)) {

@@ -27,25 +27,31 @@ constexpr std::size_t update_screen = 5;
 
 }  // namespace
 
-Program::Program(std::unique_ptr<Workbench> bench, const Canvas& canvas)
-    : canvas_(canvas), worker_(std::move(bench)) {
+Program::Program(std::unique_ptr<Workbench> bench,
+                 const Canvas& canvas,
+                 const Settings& settings)
+    : canvas_(canvas), bound_(settings.keys), worker_(std::move(bench)) {
   auto recording_page = std::make_unique<RecordingPage>();
   recording_page_ = recording_page.get();
-  auto frf_page = std::make_unique<FrfPage>();
+  FrfState frf_state;
+  frf_state.scale = settings.magnitude;
+  frf_state.log_f = settings.log_frequency;
+  auto frf_page = std::make_unique<FrfPage>(std::move(frf_state));
   frf_page_ = frf_page.get();
   auto modes_page = std::make_unique<ModesPage>();
   modes_page_ = modes_page.get();
   auto diagnose_page = std::make_unique<DiagnosePage>();
   diagnose_page_ = diagnose_page.get();
-  auto update_page = std::make_unique<UpdatePage>();
+  auto update_page = std::make_unique<UpdatePage>(settings.magnitude);
   update_page_ = update_page.get();
   pages_ = {std::move(recording_page),
             std::move(frf_page),
             std::move(modes_page),
-            std::make_unique<ComparePage>(),
+            std::make_unique<ComparePage>(settings.magnitude),
             std::move(diagnose_page),
             std::move(update_page),
             std::make_unique<ReportPage>()};
+  if (!settings.faults.empty()) tell(fault_words(settings), true);
   tick();
 }
 
@@ -64,8 +70,17 @@ bool Program::lacks_model() const {
 std::vector<KeyHelp> Program::page_keys() const {
   if (lacks_model()) return page().keys_without_model();
   std::vector<KeyHelp> keys = page().keys();
-  keys.push_back({"P", "write plot"});
-  keys.push_back({"y", "copy plot"});
+  for (const char* command : {"plot", "copy"}) {
+    for (const KeyBinding& usual : usual_bindings()) {
+      if (usual.command != command) continue;
+      keys.push_back({key_label(usual.key), usual.brief});
+    }
+  }
+  for (const KeyBinding& own : bound_) {
+    std::erase_if(
+        keys, [&](const KeyHelp& k) { return k.key == key_label(own.key); });
+    keys.push_back({key_label(own.key), own.brief});
+  }
   return keys;
 }
 
@@ -235,6 +250,8 @@ void Program::show_screen(std::size_t index) {
 void Program::press(Key key) {
   changed_ = true;
   if (key == keys::resize) return;
+  const std::optional<Held> held = std::exchange(held_, std::nullopt);
+  if (key.code == keys::release) return drag(held, key);
   if (scroll_help(key)) return;
   const bool covered = help_open_ || boxed();
   help_open_ = false;
@@ -247,12 +264,16 @@ void Program::press(Key key) {
   // the box asks.
   if (covered && !quit_asked_before_) return;
   if (key.code == keys::click) return mouse(key);
+  if (zoom_by_wheel(key)) return;
   if (mode_ == Mode::Filter) return press_filter(key);
   if (mode_ == Mode::Colon) return press_colon(key);
   press_normal(key);
 }
 
 void Program::press_normal(Key key) {
+  if (const KeyBinding* own = binding_of(bound_, key)) {
+    return run_colon(own->command);
+  }
   if (!key.ctrl && key.code >= U'1' && key.code <= U'7') {
     return show_screen(key.code - U'1');
   }
@@ -267,32 +288,13 @@ void Program::press_normal(Key key) {
 }
 
 void Program::press_global(Key key) {
-  if (key == U'q') {
-    ask_to_quit();
-  } else if (key == U'?') {
-    open_help();
+  if (const KeyBinding* usual = binding_of(usual_bindings(), key)) {
+    run_colon(usual->command);
   } else if (key == U':') {
     mode_ = Mode::Colon;
     typed_.clear();
   } else if (key == U'/' && page().list() != nullptr) {
     mode_ = Mode::Filter;
-  } else if (key == U'u') {
-    act(current_ == recording_screen ? restore_hits()
-        : current_ == modes_screen   ? undo_modes()
-                                     : undo());
-  } else if (key == Key(U'r', true)) {
-    act(current_ == recording_screen ? overrule_again()
-        : current_ == modes_screen   ? redo_modes()
-                                     : redo());
-  } else if (key == U'S' && acting()) {
-    worker_.keep();
-    tell("ending with what is reached …");
-  } else if (key == U'P') {
-    write_plots({});
-  } else if (key == U'y') {
-    copy_plots();
-  } else if (key == U'r') {
-    retry();
   } else if (key == Key(U'c', true) && running_) {
     stop_work();
   } else if (key == keys::escape || key == Key(U'c', true)) {
@@ -306,6 +308,24 @@ void Program::press_global(Key key) {
                              name(key)));
     message_is_to_wait_ = waits;
   }
+}
+
+void Program::step_back() {
+  act(current_ == recording_screen ? restore_hits()
+      : current_ == modes_screen   ? undo_modes()
+                                   : undo());
+}
+
+void Program::step_on() {
+  act(current_ == recording_screen ? overrule_again()
+      : current_ == modes_screen   ? redo_modes()
+                                   : redo());
+}
+
+void Program::keep_reached() {
+  if (!acting()) return tell("no fit runs that could be kept");
+  worker_.keep();
+  tell("ending with what is reached …");
 }
 
 void Program::stop_work() {

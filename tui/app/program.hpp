@@ -9,6 +9,7 @@
 #pragma once
 
 #include "tui/app/colon_command.hpp"
+#include "tui/app/settings.hpp"
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
 #include "tui/views/page.hpp"
@@ -37,7 +38,9 @@ class UpdatePage;
 
 class Program {
  public:
-  Program(std::unique_ptr<Workbench> bench, const Canvas& canvas);
+  Program(std::unique_ptr<Workbench> bench,
+          const Canvas& canvas,
+          const Settings& settings = {});
   ~Program();
 
   void resize(int width, int height);
@@ -75,6 +78,12 @@ class Program {
     std::string shown;           ///< the name of what is there
   };
 
+  /// Where the mouse's button went down on a plot.
+  struct Held {
+    Zone plot;
+    int x = 0;
+  };
+
   [[nodiscard]] Page& page() const { return *pages_[current_]; }
   [[nodiscard]] bool ready() const;
   [[nodiscard]] std::optional<Need> next_need() const;
@@ -89,12 +98,23 @@ class Program {
   void escape();
   void stop_work();
   void mouse(Key key);
+  /// The stretch between where the button went down and came up is shown.
+  void drag(const std::optional<Held>& from, Key to);
+  /// Over a plot, about the place it is over; false for all other keys.
+  bool zoom_by_wheel(Key key);
+  /// Carries the command of the palette out; one that needs more is typed.
+  void choose_command(std::size_t entry);
   void show_screen(std::size_t index);
   /// The same, with a way back by Esc.
   void go_to(std::size_t index);
   bool go_back();
   void run_mode_action(const ColonCommand& command);
   void run_colon(const std::string& text);
+  void run_typed();
+  /// Undo and redo of what the screen is about.
+  void step_back();
+  void step_on();
+  void keep_reached();
   void show_run(std::size_t number);
   /// What is known of the test that places are named in.
   [[nodiscard]] effects::TestContext context() const;
@@ -127,6 +147,9 @@ class Program {
 
   [[nodiscard]] Screen body(const Canvas& canvas) const;
   [[nodiscard]] Screen waiting(const Canvas& canvas) const;
+  /// The tour's words, as many rows as they need; none where they are not
+  /// shown.
+  [[nodiscard]] Screen tour(const Canvas& canvas) const;
   [[nodiscard]] Screen help(const Canvas& canvas) const;
   [[nodiscard]] std::vector<std::string> help_lines() const;
   void open_help();
@@ -137,8 +160,9 @@ class Program {
   void draw_work(Screen& screen, int y) const;
   void draw_question(Screen& screen, int y) const;
   void draw_live(Screen& screen) const;
-  void draw_tour(Screen& screen) const;
   void draw_palette(Screen& screen) const;
+  /// " F P": what carries the command out without ':'.
+  [[nodiscard]] std::string keys_of(const std::string& command) const;
   void draw_keys(Screen& screen, int y) const;
 
   Canvas canvas_;
@@ -151,6 +175,8 @@ class Program {
   UpdatePage* update_page_ = nullptr;        ///< another
   std::size_t current_ = 0;
   Mode mode_ = Mode::Normal;
+  std::vector<KeyBinding> bound_;    ///< the user's own, before all others
+  std::optional<Held> held_;         ///< since the last key
   std::vector<std::size_t> crumbs_;  ///< screens that led here
   std::string typed_;                ///< after ':'
   std::string typed_before_;         ///< and what was carried out last

@@ -61,15 +61,13 @@ std::vector<std::string> Program::help_lines() const {
   std::vector<std::string> lines = wrapped(page().help(), width);
   lines.emplace_back();
   std::vector<KeyHelp> all = page_keys();
-  std::vector<KeyHelp> everywhere{{"1 … 7", "screens"},
-                                  {":", "commands"},
-                                  {"u", "undo"},
-                                  {"Ctrl-R", "redo"},
-                                  {"r", "try again"},
-                                  {"Esc", "back, stop work"},
-                                  {"S", "end a fit, keep it"},
-                                  {"Ctrl-Z", "to the shell, fg back"},
-                                  {"q", "quit"}};
+  std::vector<KeyHelp> everywhere{
+      {"1 … 7", "screens"}, {":", "commands"}, {"Esc", "back, stop work"}};
+  for (const KeyBinding& usual : usual_bindings()) {
+    if (usual.brief.empty()) continue;
+    everywhere.push_back({key_label(usual.key), usual.brief});
+  }
+  everywhere.push_back({"^Z", "shell, fg back"});
   if (page().list() != nullptr) everywhere.push_back({"/", "filter the list"});
   for (const KeyHelp& key : everywhere) {
     const bool known =

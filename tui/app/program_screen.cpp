@@ -5,11 +5,9 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
-#include "tui/views/update_panels.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/text_box.hpp"
 #include "tui/workbench/next_step.hpp"
-#include "tui/workbench/tour_words.hpp"
 
 #include <fmt/format.h>
 
@@ -145,8 +143,11 @@ Screen Program::draw() const {
 }
 
 Screen Program::body(const Canvas& canvas) const {
-  Screen screen = ready() ? page().draw(known_, canvas) : waiting(canvas);
-  draw_tour(screen);
+  Screen screen(canvas);
+  const Screen words = tour(canvas);
+  const Canvas room{canvas.width, canvas.height - words.height(), canvas.ascii};
+  screen.place(0, 0, ready() ? page().draw(known_, room) : waiting(room));
+  screen.place(0, room.height, words);
   draw_live(screen);
   draw_palette(screen);
   if (boxed()) {
@@ -157,63 +158,6 @@ Screen Program::body(const Canvas& canvas) const {
         {.colour = message_is_error_ ? Colour::Red : Colour::Default});
   }
   return screen;
-}
-
-/// At the foot, where least is hidden.
-void Program::draw_tour(Screen& screen) const {
-  if (!tour_ || acting()) return;  // a fit shows how it goes on there
-  const std::vector<std::string> lines =
-      wrapped(tour_words(current_, known_), std::min(screen.width() - 8, 72));
-  const int rows = static_cast<int>(lines.size()) + 2;
-  Screen box(Canvas{screen.width(), rows, screen.ascii()});
-  draw_text_box(box, "tour (:tour ends it)", lines, {.colour = Colour::Sky});
-  screen.place(0, screen.height() - rows, box);
-}
-
-/// Above the line that is typed: the commands that it may be.
-void Program::draw_palette(Screen& screen) const {
-  if (mode_ != Mode::Colon) return;
-  std::vector<CommandWords> words = palette(typed_);
-  const auto most = static_cast<std::size_t>(std::max(screen.height() - 4, 1));
-  if (words.size() > most) {
-    const std::size_t more = words.size() - most + 1;
-    words.resize(most - 1);
-    words.push_back({fmt::format("... {} more", more), "a letter finds them"});
-  }
-  if (words.empty()) return;
-  const int rows = static_cast<int>(words.size()) + 2;
-  const Rect rect{
-      0, screen.height() - rows, std::min(screen.width(), 76), rows};
-  screen.fill(rect, U' ');
-  screen.box(rect, "command (Tab completes)", {.colour = Colour::Sky});
-  constexpr int usage_width = 26;
-  int y = rect.y;
-  for (const CommandWords& one : words) {
-    screen.text(2, ++y, one.usage, {.bold = true}, usage_width);
-    screen.text(2 + usage_width, y, one.does, {}, rect.width - usage_width - 3);
-  }
-}
-
-/// How a fit that was asked for goes on, in the lower right corner.
-void Program::draw_live(Screen& screen) const {
-  if (!acting() || shown_.errors.size() < 2 || !shown_.live) return;
-  const int width =
-      std::min(screen.width(), std::max(50, screen.width() * 3 / 4));
-  const int height =
-      std::min(screen.height(), std::max(13, screen.height() * 2 / 3));
-  const Rect rect{
-      screen.width() - width, screen.height() - height, width, height};
-  screen.fill(rect, U' ');
-  screen.box(rect, shown_.title, {.colour = Colour::Sky});
-  const auto [fit, line] = split_top(inside(rect), height - 3);
-  draw_live_fit(screen, fit, shown_.errors, *shown_.live);
-  screen.text(line.x + 1,
-              line.y,
-              fmt::format("step {}, {} now; S keeps, Esc discards",
-                          shown_.errors.size(),
-                          percent(shown_.errors.back())),
-              {},
-              line.width - 1);
 }
 
 Screen Program::waiting(const Canvas& canvas) const {
@@ -279,17 +223,6 @@ void Program::draw_tabs(Screen& screen) const {
     screen.text_right(
         screen.width() - 1, 0, words, {.colour = Colour::Grey}, room);
   }
-}
-
-void Program::mouse(Key key) {
-  const Screen screen = draw();
-  const Zone* zone = screen.zone_at(key.x, key.y);
-  if (zone == nullptr) return;
-  if (zone->kind == Zone::Kind::Key) {
-    const Key meant(static_cast<char32_t>(zone->index), zone->column != 0);
-    return press_normal(meant);
-  }
-  if (ready()) page().click(known_, *zone, key.x);
 }
 
 void Program::draw_line(Screen& screen, int y) const {

@@ -59,8 +59,7 @@ void Program::press_colon(Key key) {
   if (key == keys::escape || key == Key(U'c', true)) {
     mode_ = Mode::Normal;
   } else if (key == keys::enter) {
-    mode_ = Mode::Normal;
-    run_colon(typed_);
+    run_typed();
   } else if (key == keys::tab) {
     typed_ = completed(typed_, context());
   } else if (key == keys::up && !typed_before_.empty()) {
@@ -76,6 +75,20 @@ void Program::press_colon(Key key) {
   }
 }
 
+void Program::run_typed() {
+  mode_ = Mode::Normal;
+  if (!typed_.empty()) typed_before_ = typed_;
+  run_colon(typed_);
+}
+
+void Program::choose_command(std::size_t entry) {
+  const std::vector<CommandWords> words = palette(typed_);
+  if (entry >= words.size()) return;
+  typed_.replace(0, typed_.find(' '), words[entry].name);
+  const bool waits = words[entry].takes_more && typed_ == words[entry].name;
+  waits ? typed_.push_back(' ') : run_typed();
+}
+
 effects::TestContext Program::context() const {
   effects::TestContext context;
   context.bundle = known_.bundle.get();
@@ -85,7 +98,6 @@ effects::TestContext Program::context() const {
 
 void Program::run_colon(const std::string& text) {
   if (text.empty()) return;
-  typed_before_ = text;
   using Kind = ColonCommand::Kind;
   ColonCommand command;
   try {
@@ -113,9 +125,13 @@ void Program::run_colon(const std::string& text) {
     case Kind::Plot:
       return write_plots(command.argument);
     case Kind::Undo:
-      return act(undo());
+      return step_back();
     case Kind::Redo:
-      return act(redo());
+      return step_on();
+    case Kind::Copy:
+      return copy_plots();
+    case Kind::Keep:
+      return keep_reached();
     case Kind::Drop:
     case Kind::Pick:
     case Kind::Pair:

@@ -5,6 +5,7 @@
 #include "tui/screen/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace tapfit::tui {
@@ -111,6 +112,26 @@ HealthCheck clipboard_check(const Surroundings& here) {
   return check;
 }
 
+HealthCheck settings_check(const Settings& settings) {
+  if (!settings.file) {
+    const auto file = settings_file();
+    return {"settings",
+            "none",
+            file ? "colours, axes and keys may be set in " + file->string()
+                 : "colours, axes and keys are the usual ones",
+            ""};
+  }
+  HealthCheck check{"settings",
+                    settings.file->string(),
+                    "colours, axes and keys are as set there",
+                    ""};
+  if (!settings.faults.empty()) {
+    check.meaning = "what is wrong there is as usual";
+    check.advice = fmt::format("{}", fmt::join(settings.faults, "; "));
+  }
+  return check;
+}
+
 HealthCheck cache_check(const Surroundings& here) {
   if (!here.cache) {
     return {
@@ -209,20 +230,23 @@ std::string doctor_text(const std::vector<HealthCheck>& checks) {
 
 }  // namespace
 
-std::vector<HealthCheck> health_checks(const Surroundings& here) {
+std::vector<HealthCheck> health_checks(const Surroundings& here,
+                                       const Settings& settings) {
   return {terminal_check(here.terminal),
           size_check(here.terminal),
           colours_check(here),
           locale_check(here),
           mouse_check(here.terminal),
           clipboard_check(here),
+          settings_check(settings),
           cache_check(here),
           memory_check(here),
           threads_check(here)};
 }
 
 std::string doctor_command(const CommandOptions& options, const Progress&) {
-  const std::vector<HealthCheck> checks = health_checks(look_around());
+  const std::vector<HealthCheck> checks =
+      health_checks(look_around(), read_settings(settings_file()));
   return options.json ? doctor_json(checks).dump(2) + "\n"
                       : doctor_text(checks);
 }

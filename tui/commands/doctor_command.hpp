@@ -2,6 +2,7 @@
 // means, and what to do where it has not.
 #pragma once
 
+#include "tui/app/settings.hpp"
 #include "tui/options/surroundings.hpp"
 
 #include <string>
@@ -17,6 +18,7 @@ struct HealthCheck {
   std::string advice;   ///< what to do; empty where all is well
 };
 
-[[nodiscard]] std::vector<HealthCheck> health_checks(const Surroundings& here);
+[[nodiscard]] std::vector<HealthCheck> health_checks(const Surroundings& here,
+                                                     const Settings& settings);
 
 }  // namespace tapfit::tui

@@ -85,4 +85,15 @@ std::string name(const Key& key) {
   return text;
 }
 
+std::string key_label(const Key& key) {
+  if (key.ctrl) {
+    const auto letter = static_cast<unsigned char>(key.code);
+    return fmt::format("^{:c}", std::toupper(letter));
+  }
+  const std::string named = name(key);
+  return named.size() > 2 && named.front() == '<'
+             ? named.substr(1, named.size() - 2)
+             : named;
+}
+
 }  // namespace tapfit::tui

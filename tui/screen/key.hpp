@@ -44,6 +44,7 @@ inline constexpr char32_t click = 0xE010;
 inline constexpr char32_t wheel_up = 0xE011;
 inline constexpr char32_t wheel_down = 0xE012;
 inline constexpr char32_t resize = 0xE013;
+inline constexpr char32_t release = 0xE014;  ///< of the button that clicked
 }  // namespace keys
 
 /// The key that the text names, and how many bytes that took: the first
@@ -58,5 +59,8 @@ struct NamedKey {
 
 /// read_key's inverse.
 [[nodiscard]] std::string name(const Key& key);
+
+/// As the key bar and the help have it: "^R", "Space", "u".
+[[nodiscard]] std::string key_label(const Key& key);
 
 }  // namespace tapfit::tui

@@ -10,6 +10,8 @@ constexpr Palette dark_8{-1, 6, 3, 2, 1, 5, 6, 3, -1};
 constexpr Palette light_256{-1, 20, 130, 28, 160, 90, 24, 58, 242};
 // Of the plain colours only blue, red and magenta are dark enough on white.
 constexpr Palette light_16{-1, 4, 1, -1, 1, 5, 12, 5, -1};
+constexpr Palette contrast_on_dark{-1, 75, 214, 48, 209, 213, 123, 227, 252};
+constexpr Palette contrast_on_light{-1, 19, 52, 22, 124, 90, 24, 16, 238};
 constexpr Palette light_8{-1, 4, 1, -1, 1, 5, 4, 5, -1};
 
 using HeatPalette = std::array<HeatColour, heat_levels + 1>;
@@ -39,7 +41,10 @@ const HeatPalette& heat_palette(bool light) {
   return light ? heat_on_light : heat_on_dark;
 }
 
-const Palette& palette(int colours, bool light) {
+const Palette& palette(int colours, bool light, Theme theme) {
+  if (colours >= 256 && theme == Theme::HighContrast) {
+    return light ? contrast_on_light : contrast_on_dark;
+  }
   if (colours >= 256) return light ? light_256 : dark_256;
   if (colours >= 16) return light ? light_16 : dark_16;
   return light ? light_8 : dark_8;

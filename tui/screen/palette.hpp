@@ -14,9 +14,18 @@ namespace tapfit::tui {
 /// Number of the terminal's colour per Colour; -1 is its own.
 using Palette = std::array<short, colour_count>;
 
+enum class Theme {
+  Default,
+  HighContrast,  ///< 7 : 1, where there are 256 colours (criterion 1.4.6)
+  Mono           ///< none but the terminal's own
+};
+
 /// @param colours that the terminal has: 8, 16 or 256 are made use of
 /// @param light whether its background is
-[[nodiscard]] const Palette& palette(int colours, bool light);
+/// @pre the theme is not Mono
+[[nodiscard]] const Palette& palette(int colours,
+                                     bool light,
+                                     Theme theme = Theme::Default);
 
 /// Paper and ink of a heat map's cell.
 struct HeatColour {

@@ -76,7 +76,8 @@ void give_back_bus_error() {
 
 bool wants_no_colour(const TerminalOptions& options) {
   const char* variable = std::getenv("NO_COLOR");
-  return options.no_colour || (variable != nullptr && *variable != '\0');
+  return options.theme == Theme::Mono ||
+         (variable != nullptr && *variable != '\0');
 }
 
 enum class Colours { None, Eight, Sixteen, Many };
@@ -94,12 +95,12 @@ short pair_number(Colour colour, int heat) {
   return static_cast<short>(1 + static_cast<int>(colour) + heat * colour_count);
 }
 
-void make_pairs(Colours colours, bool light) {
+void make_pairs(Colours colours, const TerminalOptions& options) {
   if (colours == Colours::None) return;
   const int count = colours == Colours::Many      ? 256
                     : colours == Colours::Sixteen ? 16
                                                   : 8;
-  const Palette& inks = palette(count, light);
+  const Palette& inks = palette(count, options.light, options.theme);
   for (int c = 0; c < colour_count; ++c) {
     const auto colour = static_cast<Colour>(c);
     const short ink = inks[static_cast<std::size_t>(c)];
@@ -107,16 +108,16 @@ void make_pairs(Colours colours, bool light) {
     if (colours != Colours::Many) continue;
     for (int heat = 1; heat <= heat_levels; ++heat) {
       const HeatColour& cell =
-          heat_palette(light)[static_cast<std::size_t>(heat)];
+          heat_palette(options.light)[static_cast<std::size_t>(heat)];
       init_pair(pair_number(colour, heat), cell.ink, cell.paper);
     }
   }
 }
 
-attr_t attributes(const Style& style) {
+attr_t attributes(const Style& style, bool dims) {
   attr_t bits = A_NORMAL;
   if (style.bold) bits |= A_BOLD;
-  if (style.dim) bits |= A_DIM;
+  if (style.dim && dims) bits |= A_DIM;
   if (style.reverse) bits |= A_REVERSE;
   return bits;
 }
@@ -139,6 +140,8 @@ std::optional<Key> mouse_key() {
     key.code = keys::wheel_down;
   } else if ((event.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED)) != 0) {
     key.code = keys::click;
+  } else if ((event.bstate & BUTTON1_RELEASED) != 0) {
+    key.code = keys::release;
   } else {
     return std::nullopt;
   }
@@ -256,6 +259,7 @@ struct Terminal::Impl {
   std::optional<HeldErrors> errors;
   Colours colours = Colours::None;
   bool blocks = false;
+  bool dims = true;   ///< what is faint is
   std::string title;  ///< of the window, where it was named
 
   void give_window_back() {
@@ -284,11 +288,14 @@ Terminal::Terminal(const TerminalOptions& options)
   curs_set(0);
   if (!options.no_mouse) {
     mouseinterval(0);
-    mousemask(BUTTON1_PRESSED | BUTTON4_PRESSED | BUTTON5_PRESSED, nullptr);
+    mousemask(
+        BUTTON1_PRESSED | BUTTON1_RELEASED | BUTTON4_PRESSED | BUTTON5_PRESSED,
+        nullptr);
   }
   impl_->colours = start_colours(options);
   impl_->blocks = options.blocks;
-  make_pairs(impl_->colours, options.light);
+  make_pairs(impl_->colours, options);
+  impl_->dims = options.theme != Theme::HighContrast;
   end_asked = 0;
   for (const int ending : endings) set_handler(ending, ask_to_end);
   for (const int crash : crashes) set_handler(crash, restore_and_die);
@@ -327,8 +334,8 @@ void Terminal::show(const Screen& screen) {
       cchar_t drawn;
       // Where there are too few colours for heat, the hottest stand out.
       const bool hottest = !heated && cell.style.heat >= 5;
-      const attr_t bits =
-          attributes(cell.style) ^ (hottest ? A_REVERSE : A_NORMAL);
+      const attr_t bits = attributes(cell.style, impl_->dims) ^
+                          (hottest ? A_REVERSE : A_NORMAL);
       setcchar(&drawn, glyph.data(), bits, pair, nullptr);
       mvadd_wch(y, x, &drawn);
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tui/screen/key.hpp"
+#include "tui/screen/palette.hpp"
 #include "tui/screen/screen.hpp"
 
 #include <memory>
@@ -12,7 +13,7 @@
 namespace tapfit::tui {
 
 struct TerminalOptions {
-  bool no_colour = false;  ///< also when NO_COLOR is set and not empty
+  Theme theme = Theme::Default;  ///< Mono when NO_COLOR is set and not empty
   bool no_mouse = false;
   bool blocks = false;  ///< quarter blocks stand in for braille dots
   bool light = false;   ///< colours that are seen on a light background

@@ -40,6 +40,7 @@ struct CompareState {
 
 class ComparePage final : public Page {
  public:
+  explicit ComparePage(MagnitudeScale scale) { state_.scale = scale; }
   std::string title() const override { return "Compare"; }
   bool wants_model() const override { return true; }
   std::vector<Need> essential() const override {

@@ -7,6 +7,7 @@
 #include "tui/widgets/plot_range.hpp"
 
 #include <optional>
+#include <utility>
 
 namespace tapfit::tui {
 
@@ -18,6 +19,7 @@ namespace tapfit::tui {
 
 class FrfPage final : public Page {
  public:
+  explicit FrfPage(FrfState start) : state_(std::move(start)) {}
   std::string title() const override { return "FRF"; }
   std::vector<Need> essential() const override { return {{Stage::Frfs}}; }
   std::vector<Need> welcome(const Snapshot&) const override {

@@ -46,6 +46,7 @@ struct UpdateState {
 
 class UpdatePage final : public Page {
  public:
+  explicit UpdatePage(MagnitudeScale scale) { state_.scale = scale; }
   std::string title() const override { return "Update"; }
   bool wants_model() const override { return true; }
   std::vector<Need> essential() const override {
@@ -65,7 +66,10 @@ class UpdatePage final : public Page {
     return std::exchange(state_.panel, Panel::Curves) != Panel::Curves;
   }
   ListState* list() override { return &state_.list; }
-  PlotRange* range() override { return &state_.range; }
+  PlotRange* range() override {
+    const bool curves = state_.panel == UpdateState::Panel::Curves;
+    return curves ? &state_.range : nullptr;
+  }
   bool animate(const Snapshot& known) override;
   /// Marks the effect that was added last.
   void mark_latest() { state_.effect.reset(); }

@@ -42,11 +42,11 @@ TEST(Program, HelpScrollsToItsEnd) {
   const std::string first = played("5\nwait\n?");
   EXPECT_TRUE(holds(first, "j k scroll")) << first;
   EXPECT_TRUE(holds(first, "↓ more")) << first;
-  EXPECT_FALSE(holds(first, "Ctrl-Z")) << first;
+  EXPECT_FALSE(holds(first, "^Z")) << first;
   for (const char* down :
        {"jjjjjjjj", "<PageDown>", "<Down><Down><Down><Down><Down>"}) {
     const std::string last = played(fmt::format("5\nwait\n?{}", down));
-    EXPECT_TRUE(holds(last, "Ctrl-Z")) << last;
+    EXPECT_TRUE(holds(last, "^Z")) << last;
     EXPECT_TRUE(holds(last, "↑ more")) << last;
     EXPECT_FALSE(holds(last, "↓ more")) << last;
   }

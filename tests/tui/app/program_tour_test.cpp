@@ -21,6 +21,21 @@ TEST(Tour, IsOnEveryScreenAndHidesNoneOfTheKeys) {
   }
 }
 
+// What the words are about is seen, down to the axis of the lowest plot.
+TEST(Tour, LeavesRoomForTheWholeScreen) {
+  const std::vector<std::string> feet{"t [s]",
+                                      "5.000 Hz   |H|",
+                                      "f [Hz]",
+                                      "s = 5 + jw, 1 to 40 Hz",
+                                      "grid 5 alone explains"};
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    const std::string text =
+        played(fmt::format("{}{}\nwait{}", begin, i + 1, i == 1 ? "\nn" : ""));
+    EXPECT_TRUE(holds(text, feet[i])) << text;
+    EXPECT_TRUE(holds(text, fmt::format("{} of 7.", i + 1))) << text;
+  }
+}
+
 TEST(Tour, SaysWhereToGoOn) {
   for (int screen = 1; screen <= 4; ++screen) {
     const std::string text = played(fmt::format("{}{}\nwait", begin, screen));

@@ -26,7 +26,7 @@ Surroundings healthy() {
 }
 
 HealthCheck check_of(const Surroundings& here, const std::string& name) {
-  const std::vector<HealthCheck> checks = health_checks(here);
+  const std::vector<HealthCheck> checks = health_checks(here, {});
   const auto found = std::ranges::find(checks, name, &HealthCheck::name);
   if (found != checks.end()) return *found;
   ADD_FAILURE() << name;
@@ -34,8 +34,8 @@ HealthCheck check_of(const Surroundings& here, const std::string& name) {
 }
 
 TEST(Doctor, HasNoAdviceWhereAllIsWell) {
-  const std::vector<HealthCheck> checks = health_checks(healthy());
-  EXPECT_EQ(checks.size(), 9U);
+  const std::vector<HealthCheck> checks = health_checks(healthy(), {});
+  EXPECT_EQ(checks.size(), 10U);
   for (const HealthCheck& check : checks) {
     EXPECT_EQ(check.advice, "") << check.name;
     EXPECT_NE(check.found, "") << check.name;
@@ -44,6 +44,21 @@ TEST(Doctor, HasNoAdviceWhereAllIsWell) {
   EXPECT_EQ(check_of(healthy(), "cache").found,
             "/home/somebody/.cache/tapfit, 12 MB");
   EXPECT_EQ(check_of(healthy(), "memory").found, "12.0 GB of 16.0 GB free");
+}
+
+TEST(Doctor, NamesTheFileOfSettingsAndWhatIsWrongThere) {
+  const auto check = [](const Settings& settings) {
+    const std::vector<HealthCheck> checks = health_checks(healthy(), settings);
+    return *std::ranges::find(checks, "settings", &HealthCheck::name);
+  };
+  EXPECT_EQ(check({}).found, "none");
+  EXPECT_EQ(check({}).advice, "");
+  Settings settings;
+  settings.file = "/home/somebody/.config/tapfit/config.json";
+  EXPECT_EQ(check(settings).found, settings.file->string());
+  EXPECT_EQ(check(settings).advice, "");
+  settings.faults = {"theme is \"dark\"", "keys: q"};
+  EXPECT_EQ(check(settings).advice, "theme is \"dark\"; keys: q");
 }
 
 TEST(Doctor, SaysWhatToDo) {
@@ -57,8 +72,8 @@ TEST(Doctor, SaysWhatToDo) {
   here.cache_writable = false;
   here.free_bytes = 3e8;
   here.threads = 1;
-  const std::vector<HealthCheck> checks = health_checks(here);
-  EXPECT_EQ(std::ranges::count(checks, "", &HealthCheck::advice), 1);
+  const std::vector<HealthCheck> checks = health_checks(here, {});
+  EXPECT_EQ(std::ranges::count(checks, "", &HealthCheck::advice), 2);
   EXPECT_EQ(check_of(here, "terminal").advice, "");
   EXPECT_EQ(check_of(here, "size").found, "60 x 35 cells");
   EXPECT_NE(check_of(here, "locale").advice.find("C.UTF-8"), std::string::npos);
@@ -91,7 +106,7 @@ TEST(Doctor, PrintsTextAndJson) {
   }
   options.json = true;
   const auto json = nlohmann::json::parse(doctor_command(options, {}));
-  EXPECT_EQ(json["checks"].size(), 9U);
+  EXPECT_EQ(json["checks"].size(), 10U);
   for (const auto& check : json["checks"]) {
     EXPECT_EQ(check["ok"], check["advice"] == "") << check;
   }

@@ -22,6 +22,12 @@ TEST(Key, ReadsWhatItNames) {
   }
 }
 
+TEST(Key, HasALabel) {
+  EXPECT_EQ(key_label(Key(U'r', true)), "^R");
+  EXPECT_EQ(key_label(Key(U' ')), "Space");
+  EXPECT_EQ(key_label(Key(U'u')), "u");
+}
+
 TEST(Key, RefusesUnknownNames) {
   EXPECT_FALSE(read_key("<Nonsense>").has_value());
   EXPECT_FALSE(read_key("<Enter").has_value());

@@ -76,6 +76,20 @@ TEST(Palette, EveryInkCanBeReadOnItsBackground) {
   }
 }
 
+// Criterion 1.4.6.
+TEST(Palette, HighContrastIsHigh) {
+  for (const bool light : {false, true}) {
+    const Rgb ground = shown(light ? 15 : 0);
+    Palette inks = palette(256, light, Theme::HighContrast);
+    for (const short ink : inks) {
+      if (ink < 0) continue;
+      EXPECT_GE(contrast(shown(ink), ground), 7.0) << ink;
+    }
+    std::ranges::sort(inks);
+    EXPECT_EQ(std::ranges::adjacent_find(inks), inks.end());
+  }
+}
+
 TEST(Palette, HeatStandsOutTheMoreTheHotterItIs) {
   for (const bool light : {false, true}) {
     const Rgb ground = shown(light ? 15 : 0);
