@@ -150,11 +150,10 @@ Table candidate_table(const updating::Diagnosis& d,
     if (is_in(tagged, d.candidates[i])) table.rows[i].cells[0].insert(0, "*");
   }
   int room = room_for_size(table, width, ascii);
-  const bool cramped =
-      !is_wide(width) && std::ranges::any_of(d.candidates, [&](const auto& c) {
-        return !c.parameters.empty() &&
-               text_width(size_words(c.parameters[0])) > room;
-      });
+  const bool cramped = std::ranges::any_of(d.candidates, [&](const auto& c) {
+    return !c.parameters.empty() &&
+           text_width(size_words(c.parameters[0])) > room;
+  });
   if (cramped) {
     drop_bars(table);
     room = room_for_size(table, width, ascii);

@@ -78,7 +78,9 @@ std::vector<std::string> verdict_lines(const updating::Diagnosis& d,
 std::string note_line(const updating::Diagnosis& d,
                       Standing standing,
                       int width) {
-  if (standing == Standing::Outdated) return "outdated, diagnosing again …";
+  if (standing == Standing::Outdated) {
+    return "outdated, diagnosing again … (where it was stopped: r)";
+  }
   if (standing == Standing::Preliminary) {
     return "preliminary: of each kind what was fitted first; a adds one";
   }

@@ -51,6 +51,10 @@ TEST(CandidateTable, GivesTheSizeTheRoomThatIsLeft) {
   d.candidates[0].effect = "a-kind-with-a-name-that-is-rather-long";
   EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
             "0.0785 kg");
+  d.candidates[0].effect =
+      "a-kind-with-a-name-that-is-longer-than-any-other-is";
+  EXPECT_EQ(candidate_table(d, {}, 130, false).rows[0].cells.back(),
+            "mass 0.07850 ± 0.00060 kg");
 }
 
 }  // namespace
