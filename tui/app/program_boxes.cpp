@@ -38,6 +38,8 @@ void Program::draw_palette(Screen& screen) const {
       0, screen.height() - rows, std::min(screen.width(), 76), rows};
   screen.fill(rect, U' ');
   screen.box(rect, "command (Tab completes)", {.colour = Colour::Sky});
+  screen.zone(
+      {.rect = rect, .kind = Zone::Kind::Command, .index = words.size()});
   constexpr int usage_width = 26;
   const int right = rect.width - 2;
   const auto line =

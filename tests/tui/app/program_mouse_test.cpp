@@ -71,6 +71,20 @@ TEST(Mouse, ClicksOnThePaletteCarryACommandOutOrTypeIt) {
   EXPECT_TRUE(holds(seen(program), "run 2 of 2")) << seen(program);
 }
 
+// The palette's frame hides what is below it from the mouse, too.
+TEST(Mouse, ChoosesNothingThroughThePalette) {
+  Program program(testing::fake_workbench(), {100, 30, false});
+  wait_until_idle(program);
+  program.press(U'2');
+  wait_until_idle(program);
+  const auto [x, y] = place_of(program, "6Z+ / 4Z+");
+  program.press(U':');
+  ASSERT_EQ(place_of(program, "command (Tab").second, y) << seen(program);
+  program.press(mouse(keys::click, x, y));
+  program.press(keys::escape);
+  EXPECT_TRUE(holds(seen(program), "▸6Z+ / 3Z+")) << seen(program);
+}
+
 /// The frequencies below the lowest plot of the screen, right of the list.
 std::string axis(const Program& program) {
   std::istringstream lines(seen(program));
