@@ -36,7 +36,9 @@ struct BlowResponseLimits {
   /// Power of noise alone over a window of n >= 16 samples scatters by
   /// sqrt(4 / n) <= 0.5; the median of several is nearer to 1.
   double silent = 1.5;
-  /// What the others must hear for silence to mean something (6 dB).
+  /// What it should hear for silence to mean something (6 dB), by what the
+  /// others hear and what it hears of other blows: near a clamp and hit there,
+  /// nobody hears much.
   double heard = 4.0;
 };
 

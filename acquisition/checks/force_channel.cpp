@@ -18,6 +18,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double out_of_noise = 6.0;
+// Of its peak, what a signal must be seen to fall to for its length to be told.
+constexpr double seen_to_fall = 0.1;
 constexpr Index samples_for_middle = 4096;
 // Another channel's energy must be this much shorter than the hammer's: it
 // cannot be where the hammer's blows made it.
@@ -89,6 +91,8 @@ Finding slow_finding(const TestBundle& bundle,
 double effective_samples(const Eigen::Ref<const VectorXd>& channel) {
   const double middle = median(thinned(channel, samples_for_middle));
   const double noise = difference_noise(channel);
+  const double peak = (channel.array() - middle).abs().maxCoeff();
+  if (seen_to_fall * peak <= out_of_noise * noise) return 0.0;
   double square = 0.0;
   double fourth = 0.0;
   for (const double value : channel) {

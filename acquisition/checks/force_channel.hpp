@@ -11,7 +11,8 @@
 namespace tapfit::acquisition {
 
 /// Samples that hold a channel's energy: (sum x^2)^2 / sum x^4 of what stands
-/// 6 times out of the noise, from the median; 0 where nothing does.
+/// 6 times out of the noise, from the median; 0 where its peak is not ten
+/// times that, so that it is not seen to fall.
 ///
 /// Pulses of one shape count as often as there are, each by its own width.
 [[nodiscard]] double effective_samples(

@@ -12,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 namespace tapfit::modal {
@@ -22,6 +23,9 @@ using Eigen::Index;
 using Eigen::VectorXcd;
 using Eigen::VectorXd;
 using signal::FrfSet;
+
+// Standard deviations of a modal constant that shows.
+constexpr double clearly_seen = 10.0;
 
 /// Indices into FrfSet::frfs by the run that they stand for.
 using Runs = std::map<std::size_t, std::vector<std::size_t>>;
@@ -59,7 +63,7 @@ VectorXcd shown_by_others(const FrfSet& set,
     for (const auto& [other, frfs] : runs) {
       if (other == run) continue;
       showing += std::ranges::any_of(frfs, [&](std::size_t f) {
-        return all[f].peak(k) > limits.shown * rms(set.frfs[f].H);
+        return std::abs(all[f].z(k)) > clearly_seen * all[f].sd(k);
       });
     }
     if (showing >= least) kept.push_back(poles(k));
@@ -82,47 +86,14 @@ FrfSet part_of(const FrfSet& set, const std::vector<std::size_t>& frfs) {
 }
 
 Finding foreign_finding(const acquisition::TestBundle& bundle,
-                        std::size_t run,
-                        double left,
-                        double usual) {
+                        const ForeignRun& foreign) {
   return {Severity::Error,
-          {{run}, {}, {}, {}},
-          fmt::format("the resonances of the other runs leave {:.0f} % of run "
-                      "{} ({}), and {:.2g} % of the others",
-                      100.0 * left,
-                      run + 1,
-                      bundle.runs[run].file.filename().string(),
-                      100.0 * usual),
+          {{foreign.run}, {}, {}, {}},
+          statement(foreign, bundle),
           "the recording is of another structure, or of another state of it",
           fmt::format("name the right file in runs[{}].file of test.json, or "
                       "take the run out",
-                      run)};
-}
-
-std::vector<Finding> foreign_findings(const acquisition::TestBundle& bundle,
-                                      const FrfSet& set,
-                                      const Runs& runs,
-                                      const VectorXcd& poles,
-                                      const RunPoleLimits& limits) {
-  const std::vector<ModalConstants> all = modal_constants(set, poles, false);
-  std::vector<std::pair<std::size_t, double>> left;
-  for (const auto& [run, frfs] : runs) {
-    const VectorXcd others =
-        shown_by_others(set, runs, run, all, poles, limits);
-    left.emplace_back(
-        run, left_in(frfs, modal_constants(part_of(set, frfs), others, false)));
-  }
-  std::vector<double> shares;
-  for (const auto& [run, share] : left) shares.push_back(share);
-  const double usual = median(shares);
-  std::vector<Finding> findings;
-  for (const auto& [run, share] : left) {
-    if (share < limits.foreign || share < limits.foreign_times * usual) {
-      continue;
-    }
-    findings.push_back(foreign_finding(bundle, run, share, usual));
-  }
-  return findings;
+                      foreign.run)};
 }
 
 /// The common relative change of all frequencies in one run.
@@ -171,31 +142,44 @@ double best_scale(const FrfSet& run, const VectorXcd& poles) {
   return best;
 }
 
-// By steps first, as far as several bandwidths, then to the first order.
+// What the FRFs' poles say to the first order; empty where none shows.
+std::optional<double> first_order_shift(const FrfSet& part,
+                                        const VectorXcd& poles,
+                                        const RunPoleLimits& limits) {
+  const std::vector<ModalConstants> of = modal_constants(part, poles, true);
+  std::vector<double> values;
+  for (std::size_t f = 0; f < of.size(); ++f) {
+    for (Index k = 0; k < poles.size(); ++k) {
+      // A peak that hardly shows says nothing of where it is.
+      if (of[f].peak(k) < limits.shown * rms(part.frfs[f].H) ||
+          std::abs(of[f].z(k)) < clearly_seen * of[f].sd(k)) {
+        continue;
+      }
+      values.push_back(of[f].shift(k));
+    }
+  }
+  if (values.empty()) return {};
+  return median(values);
+}
+
+// By steps first, as far as several bandwidths, then from where the first order
+// leads: a pole that stands for two close ones may lead the steps astray.
 std::vector<RunShift> run_shifts(const FrfSet& set,
                                  const Runs& runs,
                                  const VectorXcd& poles,
                                  const RunPoleLimits& limits) {
   constexpr Index most_lines = 800;
+  constexpr int rounds = 3;
   std::vector<RunShift> found;
   for (const auto& [run, frfs] : runs) {
     const FrfSet part = thinned_lines(part_of(set, frfs), most_lines);
-    const double scale = best_scale(part, poles);
-    const std::vector<ModalConstants> of =
-        modal_constants(part, scale * poles, true);
-    std::vector<double> values;
-    for (std::size_t f = 0; f < of.size(); ++f) {
-      for (Index k = 0; k < poles.size(); ++k) {
-        // A peak that hardly shows says nothing of where it is.
-        if (of[f].peak(k) < limits.shown * rms(part.frfs[f].H) ||
-            std::abs(of[f].z(k)) < 10.0 * of[f].sd(k)) {
-          continue;
-        }
-        values.push_back(of[f].shift(k));
-      }
+    double scale = best_scale(part, poles);
+    std::optional<double> shift = 0.0;
+    for (int round = 0; round < rounds && shift; ++round) {
+      shift = first_order_shift(part, scale * poles, limits);
+      scale *= 1.0 + shift.value_or(0.0);
     }
-    if (values.empty()) continue;
-    found.push_back({run, scale - 1.0 + median(values)});
+    if (shift) found.push_back({run, scale - 1.0});
   }
   return found;
 }
@@ -328,6 +312,41 @@ VectorXcd poles_of(const ModeSet& modes) {
   return poles;
 }
 
+std::vector<ForeignRun> foreign_runs(const FrfSet& set,
+                                     const ModeSet& modes,
+                                     const RunPoleLimits& limits) {
+  const Runs runs = runs_of(set);
+  const VectorXcd poles = poles_of(modes);
+  if (runs.size() < limits.fewest_runs || poles.size() == 0) return {};
+  const std::vector<ModalConstants> all = modal_constants(set, poles, false);
+  std::vector<ForeignRun> each;
+  std::vector<double> shares;
+  for (const auto& [run, frfs] : runs) {
+    const VectorXcd others =
+        shown_by_others(set, runs, run, all, poles, limits);
+    shares.push_back(
+        left_in(frfs, modal_constants(part_of(set, frfs), others, false)));
+    each.push_back({run, shares.back(), 0.0});
+  }
+  const double usual = median(shares);
+  for (ForeignRun& one : each) one.usual = usual;
+  std::erase_if(each, [&](const ForeignRun& one) {
+    return one.left < std::max(limits.foreign, limits.foreign_times * usual);
+  });
+  return each;
+}
+
+std::string statement(const ForeignRun& foreign,
+                      const acquisition::TestBundle& bundle) {
+  return fmt::format(
+      "the resonances of the other runs leave {:.0f} % of run {} ({}), and "
+      "{:.2g} % of the others",
+      100.0 * foreign.left,
+      foreign.run + 1,
+      bundle.runs[foreign.run].file.filename().string(),
+      100.0 * foreign.usual);
+}
+
 std::vector<Finding> run_pole_findings(const acquisition::TestBundle& bundle,
                                        const FrfSet& set,
                                        const ModeSet& modes,
@@ -338,8 +357,10 @@ std::vector<Finding> run_pole_findings(const acquisition::TestBundle& bundle,
       bundle.runs.empty()) {
     return {};
   }
-  std::vector<Finding> findings =
-      foreign_findings(bundle, set, runs, poles, limits);
+  std::vector<Finding> findings;
+  for (const ForeignRun& foreign : foreign_runs(set, modes, limits)) {
+    findings.push_back(foreign_finding(bundle, foreign));
+  }
   const std::vector<std::size_t> set_up = signal::set_ups(set);
   const bool sensors_stay =
       std::ranges::all_of(set_up, [](std::size_t one) { return one == 0; });

@@ -7,6 +7,8 @@
 #include "modal/mode_set/mode_set.hpp"
 #include "signal/frf_set/frf_set.hpp"
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace tapfit::modal {
@@ -14,19 +16,39 @@ namespace tapfit::modal {
 struct RunPoleLimits {
   std::size_t fewest_runs = 4;  ///< for "the others" to mean something
   /// A pole is the structure's where so large a share of the other runs (and
-  /// two at the least) show a peak of it, this high against the FRF's rms.
+  /// two at the least) show it out of its uncertainty, however low.
   double shown_by = 0.4;
+  /// A peak says where it is from this height on, against the FRF's rms.
   double shown = 0.3;
   /// Of a run that is left by the others' poles (rms), and times their median:
   /// what is left of another structure is nearly all of it.
   double foreign = 0.4;
   double foreign_times = 5.0;
-  /// Standard deviations, stated or as the runs scatter, whichever is more.
+  /// Standard deviations, as the runs scatter.
   double significance = 6.0;
   /// Of frequency, in damping ratios: a fifth of the half bandwidth is a fifth
   /// of the FRF beside the peak.
   double worth_saying = 0.2;
 };
+
+/// A run whose FRFs the poles of the other runs do not explain.
+struct ForeignRun {
+  std::size_t run = 0;
+  double left = 0.0;   ///< of its FRFs, relative (rms)
+  double usual = 0.0;  ///< median over the runs
+};
+
+/// Runs of another structure.
+/// @return none with fewer runs than `fewest_runs`, or without modes
+[[nodiscard]] std::vector<ForeignRun> foreign_runs(
+    const signal::FrfSet& set,
+    const ModeSet& modes,
+    const RunPoleLimits& limits = {});
+
+/// "the resonances of the other runs leave 97 % of run 5 (run-5.wav), and 2 %
+/// of the others".
+[[nodiscard]] std::string statement(const ForeignRun& foreign,
+                                    const acquisition::TestBundle& bundle);
 
 /// Runs that do not belong to the others, and frequencies that move from run to
 /// run while all sensors stay.

@@ -20,7 +20,7 @@ namespace tapfit::modal {
 struct RunResidueLimits {
   std::size_t fewest_runs = 4;
   /// Relative error of a run's pattern over the sensors: that much, and so many
-  /// times the median of all runs.
+  /// times the lower quartile of all runs.
   double much = 0.03;
   double times_usual = 6.0;
   /// One factor explains the difference where it leaves this share of it.

@@ -47,11 +47,13 @@ Eigen::ArrayXd noise_of(const Frf& frf) {
 // well out of its noise. The flanks of a resonance that moved while it rang are
 // jagged: it has to be largest within a hundredth of the band as well.
 //
+// @param noise from noise_of()
 // @param clear_of_noise |H|^2 over the noise's power, at least. Of pure noise
 //   one line in exp(that) is.
-std::vector<Index> peaks_of(const Frf& frf, double clear_of_noise) {
+std::vector<Index> peaks_of(const Frf& frf,
+                            const Eigen::ArrayXd& noise,
+                            double clear_of_noise) {
   const Eigen::ArrayXd size = frf.H.cwiseAbs().array().max(1e-300);
-  const Eigen::ArrayXd noise = noise_of(frf);
   const double least = 2.0 * std::exp(size.log().mean());
   const Index reach = std::max<Index>(2, size.size() / 100);
   std::vector<Index> peaks;
@@ -81,9 +83,14 @@ DrivingPoint driving_point(const FrfSet& set, std::size_t index, double sign) {
   const Frf& frf = set.frfs[index];
   DrivingPoint point;
   point.frf = index;
-  for (const Index i : peaks_of(frf, 25.0)) {
+  constexpr double clear = 25.0;
+  const Eigen::ArrayXd noise = noise_of(frf);
+  for (const Index i : peaks_of(frf, noise, clear)) {
+    const double up = sign * frf.H(i).imag();
+    // What rises to neighbouring modes is real: its imaginary part is noise.
+    if (up * up < 0.5 * clear * noise(i)) continue;
     ++point.peaks;
-    if (sign * frf.H(i).imag() < 0.0) ++point.wrong_peaks;
+    if (up < 0.0) ++point.wrong_peaks;
   }
   const Eigen::ArrayXd size = set.s.cwiseAbs().array().max(1e-300);
   const Eigen::VectorXd real =
@@ -149,9 +156,10 @@ std::vector<DrivingPoint> driving_points(const FrfSet& set) {
   for (std::size_t i = 0; i < set.frfs.size(); ++i) {
     if (same_place(set.frfs[i].response, set.frfs[i].reference)) {
       DrivingPoint point = driving_point(set, i, orientation(set.frfs[i]));
-      // Where every peak is turned it is the polarity.
-      const bool mixed = point.wrong_peaks < point.peaks;
-      if (!point.fair() && mixed) point.rather = rather(set, i);
+      // Where every peak is turned it is the polarity, where none is a delay.
+      const bool mixed =
+          point.wrong_peaks > 0 && point.wrong_peaks < point.peaks;
+      if (mixed) point.rather = rather(set, i);
       result.push_back(point);
     }
   }
@@ -175,7 +183,7 @@ std::vector<Reciprocal> reciprocals(const FrfSet& set) {
 std::optional<double> spread_at_peaks(const Frf& frf) {
   if (frf.hits < 2) return std::nullopt;
   double largest = 0.0;
-  for (const Index i : peaks_of(frf, 10.0)) {
+  for (const Index i : peaks_of(frf, noise_of(frf), 10.0)) {
     if (frf.coherence(i) > 0.0) {
       largest = std::max(largest, 1.0 / frf.coherence(i) - 1.0);
     }

@@ -29,7 +29,7 @@ namespace tapfit::signal {
 
 struct DrivingPoint {
   std::size_t frf = 0;  ///< index into the set
-  int peaks = 0;        ///< of |A|
+  int peaks = 0;        ///< of |A|, where Im A stands out of its noise
   int wrong_peaks = 0;  ///< with Im A below zero
   /// Share of lines with Re M below zero by more than three standard
   /// deviations of it (as stated or, if more, as the lines are rough).

@@ -1,5 +1,5 @@
-// Hammer tests of plates given by their modes, written as bundles. Exact but
-// for the noise (generated_structure.hpp).
+// Hammer tests of structures given by their modes, written as bundles. Exact
+// but for the noise (generated_structure.hpp).
 #pragma once
 
 #include "acquisition/bundle/recording.hpp"
@@ -17,17 +17,20 @@ struct SheetAndRecords {
   int bits = 24;  ///< the files are rounded to
 };
 
+/// The free ones are hung on soft strings.
+enum class Structure { FreePlate, HeldPlate, FreeBeam, ClampedBeam, Storeys };
+
 struct PlainOptions {
+  Structure structure = Structure::FreePlate;
   unsigned seed = 1;
   int sensors = 2;
   int runs = 8;
-  bool held = false;             ///< else hung on soft strings
   std::vector<int> sensor_at{};  ///< points; empty: drawn by the seed
   double stiffer = 1.0;          ///< all frequencies times that
   double noise = 1.0;            ///< of the ordinary one
 };
 
-/// A clean test: random plate, sensors also hit (driving points), weighed.
+/// A clean test: drawn at random, sensors also hit (driving points), weighed.
 [[nodiscard]] SheetAndRecords plain_test(const PlainOptions& options);
 
 /// Writes test.json and the recordings as sound files.

@@ -259,11 +259,12 @@ std::vector<Mistake> sample_mistakes() {
        }},
       {"trigger within the noise",
        {"within the noise"},
-       [](Sheet& t, const Plain&, double size) {
-         t.bundle.trigger_percent = between(0.06, 0.02, size);
+       [](Sheet& t, const Plain& o, double size) {
+         t.bundle.trigger_percent =
+             std::min(o.noise, 1.0) * between(0.06, 0.02, size);
        }},
       {"sensor delayed",
-       {"behind the hammer"},
+       {"behind the hammer|lags behind"},
        [](Sheet& t, const Plain&, double size) {
          each_run(t, [size](auto& x) {
            x.col(1) = delayed(x.col(1), between(0.1, 1.5, size));
