@@ -79,6 +79,9 @@ std::string update_command(const CommandOptions& options,
   for (const auto& mistake : diagnosis.set_up) {
     diagnosis.warnings.push_back(describe(mistake));
   }
+  const auto outliers = session.run_outliers(progress);
+  diagnosis.set_up.insert(
+      diagnosis.set_up.end(), outliers.begin(), outliers.end());
   const auto loose = session.model_warnings(progress);
   diagnosis.warnings.insert(
       diagnosis.warnings.end(), loose.begin(), loose.end());

@@ -206,6 +206,11 @@ Diagnosis diagnose(const Fitter& fitter,
   }
   result.set_up =
       set_up_mistakes(result.ladder, *fitter.problem().context.bundle);
+  const auto outliers =
+      run_outliers(fitter.problem().foreign,
+                   fitter.problem().context.bundle->runs.size(),
+                   result.error_fitted);
+  result.set_up.insert(result.set_up.end(), outliers.begin(), outliers.end());
   for (const SetUpMistake& mistake : result.set_up) {
     result.warnings.push_back(describe(mistake));
   }

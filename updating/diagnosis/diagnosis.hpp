@@ -39,7 +39,8 @@ struct Candidate {
 
 /// What the sheet or the deck says wrongly.
 struct SetUpMistake {
-  /// Catalogue name, for example "point-mislabelled"; or "card-swap".
+  /// Catalogue name, for example "point-mislabelled"; "card-swap" or
+  /// "run-outlier".
   std::string mistake;
   Location where;
   double probability = 0.0;
@@ -77,8 +78,8 @@ struct Diagnosis {
   std::vector<ModelForm> model_form = {};  ///< no part of verdict or ladder
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
-  /// Of the ladder, put right there; then what the deck says wrongly, in place
-  /// of the ladder.
+  /// Of the ladder, put right there; then runs that are left out, and what the
+  /// deck says wrongly, in place of the ladder.
   std::vector<SetUpMistake> set_up;
   std::vector<std::string> warnings;
   Rivals rivals = {};

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace tapfit::updating {
@@ -27,6 +29,29 @@ std::vector<SetUpMistake> set_up_mistakes(
                       rung.probability,
                       rung.error,
                       fmt::format("{}", fmt::join(edits, "; "))});
+  }
+  return result;
+}
+
+// ln p of one reading x by a normal density of sd x over that of sd u:
+// (x / u)^2 / 2 - ln(x / u) - 1/2.
+std::vector<SetUpMistake> run_outliers(
+    const std::vector<modal::ForeignRun>& foreign,
+    std::size_t runs,
+    double error) {
+  std::vector<SetUpMistake> result;
+  for (const modal::ForeignRun& one : foreign) {
+    const double times = one.left / std::max(one.usual, 1e-12);
+    const double gain = 0.5 * times * times - std::log(times) - 0.5 -
+                        std::log(static_cast<double>(runs));
+    Location where;
+    where.runs = {static_cast<int>(one.run) + 1};
+    result.push_back(
+        {"run-outlier",
+         std::move(where),
+         1.0 / (1.0 + std::exp(-gain)),
+         error,
+         fmt::format("runs[{0}].file, or take runs[{0}] out", one.run)});
   }
   return result;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "modal/checks/run_poles.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 
 #include <string>
@@ -13,6 +14,17 @@ namespace tapfit::updating {
 /// edit is to be made after those before it.
 [[nodiscard]] std::vector<SetUpMistake> set_up_mistakes(
     const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet);
+
+/// "run-outlier": runs that fits leave out, since they are of another
+/// structure. The probability is the least that one reading gives: of the runs'
+/// usual scatter, or of one as wide as what is left; each run might have been
+/// it.
+/// @param runs how many were measured
+/// @param error of the deck's fit without them
+[[nodiscard]] std::vector<SetUpMistake> run_outliers(
+    const std::vector<modal::ForeignRun>& foreign,
+    std::size_t runs,
+    double error);
 
 /// "point-mislabelled at acc1 at node 6, not 8: correct
 /// runs[3].sensors[0].node: 8 -> 6".

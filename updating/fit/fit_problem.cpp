@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <set>
 
 namespace tapfit::updating {
@@ -174,6 +175,12 @@ FitProblem fit_problem(const MeasuredTest& test,
     }
     return fit;
   }
+  std::vector<std::size_t> foreign;
+  if (!bundle.frfs) {
+    fit.foreign = modal::foreign_runs(test.frfs, test.modes);
+    std::ranges::transform(
+        fit.foreign, std::back_inserter(foreign), &modal::ForeignRun::run);
+  }
   const double block_s = test.measurement.block_s();
   for (const double delta : {wide_delta, report_delta}) {
     DampedLineOptions options;
@@ -182,6 +189,7 @@ FitProblem fit_problem(const MeasuredTest& test,
     progress("comparison: damped lines", 0.0);
     fit.measured = test.measurement.frfs_on(s, progress);
     fit.targets.push_back(make_target(fit.measured));
+    leave_out(foreign, fit.targets.back());
     fit.targets.back().modes_in_band =
         std::max(1, static_cast<int>(test.modes.modes.size()));
     fit.contour = describe_line(band, s, options);

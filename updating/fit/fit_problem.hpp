@@ -16,11 +16,13 @@ namespace tapfit::updating {
 struct MeasuredTest {
   effects::TestContext context;
   const Measurement& measurement;  ///< up to its modes
+  const signal::FrfSet& frfs;      ///< its FRFs as they are
   const modal::ModeSet& modes;
 };
 
-/// Of a structure that the model leaves free lines below the first elastic mode
-/// are left out: how it hangs is not in the model.
+/// Runs of another structure are not in use. Of a structure that the model
+/// leaves free lines below the first elastic mode are left out: how it hangs is
+/// not in the model.
 [[nodiscard]] FitProblem fit_problem(const MeasuredTest& test,
                                      const BaseBuilder& builder,
                                      const Progress& progress);

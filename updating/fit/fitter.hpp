@@ -9,6 +9,7 @@
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
+#include "modal/checks/run_poles.hpp"
 #include "updating/fit/updater.hpp"
 #include "updating/frf_model/acted_points.hpp"
 #include "updating/frf_model/form_error.hpp"
@@ -31,7 +32,8 @@ namespace tapfit::updating {
 struct FitProblem {
   effects::TestContext context;
   std::vector<Target> targets;
-  signal::FrfSet measured;  ///< on the last target's line
+  std::vector<modal::ForeignRun> foreign = {};  ///< not in use in any target
+  signal::FrfSet measured;                      ///< on the last target's line
   /// In place of FRFs, or null: then there is one target.
   std::shared_ptr<const ModalData> modes = nullptr;
   std::string contour;               ///< the last target's line, in words

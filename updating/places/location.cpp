@@ -20,14 +20,13 @@ std::string named(const char* what, const std::vector<int>& ids) {
 }
 
 // A row of them by its ends.
-std::string in_runs(const std::vector<int>& runs) {
-  if (runs.empty()) return "";
-  if (runs.size() == 1) return fmt::format(", in run {}", runs.front());
+std::string runs_text(const std::vector<int>& runs) {
+  if (runs.size() == 1) return fmt::format("run {}", runs.front());
   const auto length = static_cast<std::size_t>(runs.back() - runs.front()) + 1;
   if (length == runs.size()) {
-    return fmt::format(", in runs {} to {}", runs.front(), runs.back());
+    return fmt::format("runs {} to {}", runs.front(), runs.back());
   }
-  return fmt::format(", in runs {}", fmt::join(runs, ", "));
+  return fmt::format("runs {}", fmt::join(runs, ", "));
 }
 
 // Channels of the sheet, and at which of its grids.
@@ -72,7 +71,8 @@ std::string describe(const Location& where) {
                                   ? fmt::format(" along {}", where.variant)
                                   : fmt::format(" ({})", where.variant);
   if (!where.channels.empty()) {
-    return on_sheet(where) + variant + in_runs(where.runs);
+    const std::string text = on_sheet(where) + variant;
+    return where.runs.empty() ? text : text + ", in " + runs_text(where.runs);
   }
   if (where.node != 0) {
     return fmt::format(
@@ -81,6 +81,7 @@ std::string describe(const Location& where) {
   if (!where.elements.empty())
     return named("element", where.elements) + variant;
   if (!where.nodes.empty()) return named("node", where.nodes) + variant;
+  if (!where.runs.empty()) return runs_text(where.runs);
   return "everywhere" + variant;
 }
 

@@ -52,6 +52,12 @@ Target make_target(const ModalData& measured) {
   return target;
 }
 
+void leave_out(const std::vector<std::size_t>& runs, Target& target) {
+  for (std::size_t f = 0; f < target.run.size(); ++f) {
+    if (std::ranges::count(runs, target.run[f]) > 0) target.use[f] = 0.0;
+  }
+}
+
 double block_error(const Target& target,
                    const Eigen::MatrixXcd& H,
                    Index first_line,

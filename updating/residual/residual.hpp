@@ -55,6 +55,10 @@ struct Target {
 [[nodiscard]] Target make_target(const signal::FrfSet& measured);
 [[nodiscard]] Target make_target(const ModalData& measured);
 
+/// Their FRFs are in use no more.
+/// @param runs counted from 0
+void leave_out(const std::vector<std::size_t>& runs, Target& target);
+
 /// Root mean square error of the FRFs in use.
 [[nodiscard]] double relative_error(const Target& target,
                                     const Eigen::MatrixXcd& H);

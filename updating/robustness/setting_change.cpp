@@ -101,13 +101,7 @@ FitProblem changed(FitProblem problem, const SettingChange& change) {
   }
   problem.damping_spread *= change.damping_prior;
   problem.form_allowance *= change.form;
-  for (Target& target : problem.targets) {
-    for (std::size_t f = 0; f < target.run.size(); ++f) {
-      const bool out = std::ranges::find(change.left_out, target.run[f]) !=
-                       change.left_out.end();
-      if (out) target.use[f] = 0.0;
-    }
-  }
+  for (Target& target : problem.targets) leave_out(change.left_out, target);
   return problem;
 }
 

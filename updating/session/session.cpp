@@ -1,6 +1,7 @@
 #include "updating/session/session.hpp"
 
 #include "updating/comparison/compare.hpp"
+#include "updating/diagnosis/set_up_mistakes.hpp"
 #include "updating/diagnosis/test_diagnosis.hpp"
 #include "updating/fit/estimates.hpp"
 #include "updating/localisation/find_signature.hpp"
@@ -243,6 +244,19 @@ std::vector<UpdateRecord> Session::update_records(const Progress& progress) {
       stages_->plain ? stages_->plain->lines : stages_->ground->contour);
 }
 
+std::vector<SetUpMistake> Session::run_outliers(const Progress& progress) {
+  stages_->prepare_fit(progress);
+  // With what is uncertain fitted, where it was.
+  const std::vector<Fit>& fits = stages_->stack->fits();
+  const Fit& without_effects =
+      *std::find_if(fits.rbegin(), fits.rend(), [](const Fit& fit) {
+        return fit.effects.empty();
+      });
+  return updating::run_outliers(stages_->ground->fitter->problem().foreign,
+                                bundle().runs.size(),
+                                without_effects.result.error);
+}
+
 std::vector<std::string> Session::model_warnings(const Progress& progress) {
   stages_->prepare_fit(progress);
   std::vector<std::string> warnings = stages_->model->unsplit().warnings();
@@ -253,6 +267,9 @@ std::vector<std::string> Session::model_warnings(const Progress& progress) {
                       std::back_inserter(warnings));
   } else {
     warnings.push_back(mesh_warning(*stages_->model));
+  }
+  for (const SetUpMistake& run : run_outliers(progress)) {
+    warnings.push_back(describe(run));
   }
   std::erase(warnings, "");
   return warnings;

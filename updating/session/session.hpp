@@ -148,8 +148,11 @@ class Session {
 
   /// How each of the ladder's fits came about: no base rung.
   std::vector<UpdateRecord> update_records(const Progress& progress = {});
+  /// Runs that fits leave out, since they are of another structure.
+  std::vector<SetUpMistake> run_outliers(const Progress& progress = {});
   /// What of the model stands in the way of comparing it: mechanisms, a floor
-  /// that is too high; of a test of modes also what these do not tell.
+  /// that is too high; runs that are left out; of a test of modes also what
+  /// these do not tell.
   std::vector<std::string> model_warnings(const Progress& progress = {});
   /// Of FRFs through the reduced base, see BaseBuilder::error().
   double base_error(const Progress& progress = {});

@@ -41,7 +41,7 @@ void SessionStages::prepare_fit(const Progress& progress) {
 }
 
 MeasuredTest SessionStages::measured() {
-  return {context(), test, test.modes({})};
+  return {context(), test, test.frfs({}), test.modes({})};
 }
 
 StackFit SessionStages::stack_fit() {

@@ -6,6 +6,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
 namespace tapfit::updating {
 namespace {
 
@@ -169,6 +173,43 @@ TEST(SetUpMistakes, AreFoundBesideAnEffect) {
       << d.verdict;
   ASSERT_EQ(d.set_up.size(), 1U);
   EXPECT_EQ(d.set_up[0].where, moved("hammer", 6, 9).where);
+}
+
+// One reading five times the usual scatter, of 8 runs:
+// 12.5 - ln 5 - 0.5 - ln 8 = 8.31.
+TEST(SetUpMistakes, RunOfAnotherStructureIsNamed) {
+  const auto found = run_outliers({{4, 0.4, 0.08}}, 8, 0.03);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].mistake, "run-outlier");
+  EXPECT_EQ(found[0].where.runs, std::vector<int>{5});
+  EXPECT_NEAR(found[0].probability, 1.0 / (1.0 + std::exp(-8.31)), 1e-6);
+  EXPECT_EQ(found[0].error, 0.03);
+  EXPECT_EQ(describe(found[0]),
+            "run-outlier at run 5: correct runs[4].file, or take runs[4] out");
+  EXPECT_EQ(run_outliers({{0, 0.9, 0.0}}, 8, 0.03)[0].probability, 1.0)
+      << "without noise";
+}
+
+// Of both ends the ratio alone shows: sensors that read 1000 times too much are
+// a hammer that reads too little.
+TEST(SetUpMistakes, AllSensorsOffByAThousandAreNamed) {
+  EffectInstance hidden = of_channel("unit-factor", "acc1", "1000");
+  hidden.where.channels = {"acc1", "acc2"};
+  EffectInstance hammer = of_channel("unit-factor", "hammer", "1/1000");
+  for (const EffectInstance& slip : {hidden, hammer}) {
+    const Diagnosis d = PlateExperiment({slip}, 0.02, 13).diagnose_it();
+    EXPECT_EQ(d.verdict, "unit-factor");
+    ASSERT_EQ(d.set_up.size(), 1U);
+    ASSERT_EQ(d.ladder.size(), 1U);
+    const auto is = [&](const Location& where) {
+      return d.ladder[0].where == where ||
+             std::ranges::any_of(d.ladder[0].alike, [&](const EffectRef& ref) {
+               return ref.where == where;
+             });
+    };
+    EXPECT_TRUE(is(hidden.where));
+    EXPECT_TRUE(is(hammer.where));
+  }
 }
 
 TEST(SetUpMistakes, AreNoneOnARightSheet) {
