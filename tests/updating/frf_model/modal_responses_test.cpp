@@ -44,8 +44,8 @@ class ModalResponses : public ::testing::Test {
     context.high_hz = test_->band()[1];
     context.component = measured_component(test_->bundle(), deck_);
     context.components = tested_components(test_->bundle(), deck_);
-    ground_.emplace(
-        prepare_fits(*solved_, {context, *test_, test_->modes({})}, {}));
+    ground_.emplace(prepare_fits(
+        *solved_, {context, *test_, test_->frfs({}), test_->modes({})}, {}));
   }
 
   [[nodiscard]] const Fitter& fitter() const { return *ground_->fitter; }
