@@ -16,7 +16,8 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr Index fewest_hits = 3;
-constexpr int permutations = 499;
+// So many that the least p-value is very strong evidence.
+constexpr int permutations = 4999;
 // Once so many shares were as large, more permutations would not change what
 // is said.
 constexpr int enough_as_large = 10;

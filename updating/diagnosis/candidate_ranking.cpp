@@ -1,5 +1,6 @@
 #include "updating/diagnosis/candidate_ranking.hpp"
 
+#include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/made_fit.hpp"
 
 #include <algorithm>
@@ -48,6 +49,22 @@ MadeFit contender(const CandidateRanking& round,
 }
 
 }  // namespace
+
+void put_likeliest_kind_first(std::vector<Hypothesis>& all) {
+  if (all.empty()) return;
+  std::vector<double> evidence;
+  for (const Hypothesis& h : all) evidence.push_back(h.log_evidence);
+  const std::vector<double> probability = probabilities(evidence);
+  KindProbability whole;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    whole[all[k].own().effect] += probability[k];
+  }
+  const auto of_kind = [&](const Hypothesis& h) {
+    return whole.at(h.own().effect);
+  };
+  const auto first = std::ranges::max_element(all, {}, of_kind);
+  std::rotate(all.begin(), first, first + 1);
+}
 
 // A kind is as probable as all its places together. A law with more parameters
 // at the same place contains the simpler one and is no rival of it unless its

@@ -13,7 +13,8 @@
 namespace tapfit::updating {
 
 struct CandidateRanking {
-  std::vector<Hypothesis> hypotheses;  ///< strongest evidence first
+  /// The likeliest of the likeliest kind, then the strongest evidence first.
+  std::vector<Hypothesis> hypotheses;
   std::vector<double> probability;     ///< of none, then of each hypothesis
   double none_evidence = 0.0;
   double data = 1.0;  ///< independent data that the evidence counts
@@ -22,6 +23,11 @@ struct CandidateRanking {
 /// Explanations closer than this in log evidence are not told apart: 20 : 1,
 /// where "positive" evidence ends on Kass and Raftery's scale.
 extern const double log_odds_told_apart;
+
+/// A kind is as probable as all its places together: puts first the likeliest
+/// place of the kind that is. Of equal kinds the one with the likeliest place.
+/// @param all strongest evidence first
+void put_likeliest_kind_first(std::vector<Hypothesis>& all);
 
 /// Its kind and those that are not told apart from it, joined with "|"; at most
 /// three.

@@ -204,6 +204,7 @@ CandidateRanking ForwardSelection::look(const Fit& current,
     settle_places(current, round, progress);
     judge(round);
   }
+  put_likeliest_kind_first(round.hypotheses);
   round.none_evidence =
       log_evidence(current, 0.0, 1.0, round.data, options_.floor_noise);
   std::vector<double> evidence = {round.none_evidence};

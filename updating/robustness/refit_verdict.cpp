@@ -62,10 +62,11 @@ CandidateRanking round_of(const std::vector<Contender>& contenders,
   return round;
 }
 
+// Each stands for its kind, whose places are all in its probability.
 std::size_t strongest(const CandidateRanking& round) {
-  const auto at =
-      std::ranges::max_element(round.hypotheses, {}, &Hypothesis::log_evidence);
-  return static_cast<std::size_t>(at - round.hypotheses.begin());
+  const auto none = round.probability.begin();
+  const auto at = std::ranges::max_element(none + 1, round.probability.end());
+  return static_cast<std::size_t>(at - none - 1);
 }
 
 // What the last effect of a fit is worth over a fit without it.

@@ -63,5 +63,22 @@ TEST(ForwardSelection, WhatIsNearlyAsLikelyIsNotToldApart) {
   EXPECT_EQ(indistinguishable(round, 0).size(), 1U);
 }
 
+// Two places of one kind at 0.27 each are likelier together than one of another
+// kind at 0.45.
+TEST(ForwardSelection, AKindIsAsLikelyAsItsPlacesTogether) {
+  std::vector<Hypothesis> all{explains("prestress", left, 0.0),
+                              explains("ground-spring", other, -0.5),
+                              explains("ground-spring", nearly, -0.6),
+                              explains("added-mass", left, -4.0)};
+  put_likeliest_kind_first(all);
+  EXPECT_EQ(all[0].own().effect->name(), "ground-spring");
+  EXPECT_EQ(all[0].log_evidence, -0.5);
+  EXPECT_EQ(all[1].own().effect->name(), "prestress");
+  EXPECT_EQ(all[2].log_evidence, -0.6);
+  std::vector<Hypothesis> none;
+  put_likeliest_kind_first(none);
+  EXPECT_TRUE(none.empty());
+}
+
 }  // namespace
 }  // namespace tapfit::updating
