@@ -10,22 +10,13 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/finding.hpp"
+#include "modal/checks/sensor_patterns.hpp"
 #include "modal/mode_set/mode_set.hpp"
 #include "signal/frf_set/frf_set.hpp"
 
 #include <vector>
 
 namespace tapfit::modal {
-
-struct RunResidueLimits {
-  std::size_t fewest_runs = 4;
-  /// Relative error of a run's pattern over the sensors: that much, and so many
-  /// times the lower quartile of all runs.
-  double much = 0.03;
-  double times_usual = 6.0;
-  /// One factor explains the difference where it leaves this share of it.
-  double one_factor = 0.2;
-};
 
 /// @return one finding for each change, with the runs that share it
 [[nodiscard]] std::vector<Finding> run_residue_findings(
