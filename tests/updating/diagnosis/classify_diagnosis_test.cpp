@@ -8,7 +8,7 @@ namespace {
 /// FRFs that surely change with the force, by so much.
 signal::LinearityFinding changing(double change) {
   signal::LinearityFinding level;
-  level.p_value = 0.002;
+  level.p_value = 0.0002;
   level.change = change;
   return level;
 }
@@ -96,7 +96,7 @@ TEST(SetVerdict, SmallOrDoubtfulChangesAreNoVerdict) {
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.6), changing(0.36)), "nonlinearity");
   EXPECT_EQ(verdict(errors(0.5, 0.5, 0.02), changing(0.1)), "unexplained");
   signal::LinearityFinding doubtful = changing(0.08);
-  doubtful.p_value = 0.01;
+  doubtful.p_value = 0.002;
   EXPECT_EQ(verdict(errors(0.05, 0.05, 0.02), doubtful), "none");
 }
 
