@@ -150,10 +150,21 @@ bool PseudoTerminal::take(std::chrono::milliseconds within) {
   return true;
 }
 
+namespace {
+
+// Sanitizers make the program up to twenty times slower (CMakePresets.json).
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr int patience = 6;
+#else
+constexpr int patience = 1;
+#endif
+
+}  // namespace
+
 template <class Done>
 bool PseudoTerminal::read_until(const Done& done,
                                 std::chrono::milliseconds within) {
-  const Clock::time_point last = Clock::now() + within;
+  const Clock::time_point last = Clock::now() + patience * within;
   while (!done()) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
         last - Clock::now());
@@ -175,7 +186,7 @@ bool PseudoTerminal::wrote(const std::string& bytes,
 }
 
 std::optional<int> PseudoTerminal::change(std::chrono::milliseconds within) {
-  const Clock::time_point last = Clock::now() + within;
+  const Clock::time_point last = Clock::now() + patience * within;
   pollfd news{told_, POLLIN, 0};
   while (poll(&news, 1, end_ < 0 ? 5 : 0) <= 0) {
     if (Clock::now() > last) return std::nullopt;

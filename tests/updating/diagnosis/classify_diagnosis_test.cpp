@@ -112,7 +112,7 @@ TEST(SetVerdict, ALinearStandInTellsThePlaceOnly) {
   ASSERT_EQ(diagnosis.candidates.size(), 2U);
   EXPECT_EQ(diagnosis.candidates[0].effect, nonlinearity);
   EXPECT_EQ(diagnosis.candidates[0].where.node, 17);
-  EXPECT_DOUBLE_EQ(diagnosis.candidates[0].probability, 0.998);
+  EXPECT_DOUBLE_EQ(diagnosis.candidates[0].probability, 1.0 - 0.0002);
   EXPECT_EQ(diagnosis.candidates[0].error, 0.25);
   ASSERT_EQ(diagnosis.warnings.size(), 1U);
   EXPECT_NE(diagnosis.warnings[0].find("ground-spring at node 17"),
