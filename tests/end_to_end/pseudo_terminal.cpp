@@ -14,6 +14,13 @@
 namespace tapfit::end_to_end {
 namespace {
 
+// Sanitizers make the program about ten times slower.
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr int patience = 6;
+#else
+constexpr int patience = 1;
+#endif
+
 winsize size_of(int columns, int rows) {
   winsize size{};
   size.ws_col = static_cast<unsigned short>(columns);
@@ -25,6 +32,7 @@ winsize size_of(int columns, int rows) {
                                  const TerminalSetting& setting) {
   setenv("TERM", setting.kind.c_str(), 1);
   setenv("LC_ALL", "C.UTF-8", 1);
+  setenv("TAPFIT_NO_CACHE", "1", 1);
   for (const std::string& variable : setting.environment) {
     const std::size_t at = variable.find('=');
     setenv(variable.substr(0, at).c_str(), variable.c_str() + at + 1, 1);
@@ -149,17 +157,6 @@ bool PseudoTerminal::take(std::chrono::milliseconds within) {
   screen_.take(bytes);
   return true;
 }
-
-namespace {
-
-// Sanitizers make the program up to twenty times slower (CMakePresets.json).
-#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr int patience = 6;
-#else
-constexpr int patience = 1;
-#endif
-
-}  // namespace
 
 template <class Done>
 bool PseudoTerminal::read_until(const Done& done,
