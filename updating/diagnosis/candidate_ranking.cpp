@@ -50,6 +50,25 @@ MadeFit contender(const CandidateRanking& round,
 
 }  // namespace
 
+double CandidateRanking::none_evidence() const {
+  if (hypotheses.empty()) return 0.0;
+  const Hypothesis& first = hypotheses.front();
+  return first.log_evidence - first.log_gain;
+}
+
+void judge_hypotheses(std::vector<Hypothesis>& all,
+                      const Fit& without,
+                      double data,
+                      double noise) {
+  const Evidence none = evidence(without, 0.0, 1.0, data, noise);
+  for (Hypothesis& h : all) {
+    const auto own = static_cast<double>(h.own().p.size());
+    const Evidence with = evidence(h.fit, own, h.places, data, noise);
+    h.log_evidence = with.log;
+    h.log_gain = log_gain(with, none);
+  }
+}
+
 void put_likeliest_kind_first(std::vector<Hypothesis>& all) {
   if (all.empty()) return;
   std::vector<double> evidence;

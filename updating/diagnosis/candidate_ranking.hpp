@@ -15,10 +15,19 @@ namespace tapfit::updating {
 struct CandidateRanking {
   /// The likeliest of the likeliest kind, then the strongest evidence first.
   std::vector<Hypothesis> hypotheses;
-  std::vector<double> probability;     ///< of none, then of each hypothesis
-  double none_evidence = 0.0;
+  std::vector<double> probability;  ///< of none, then of each hypothesis
   double data = 1.0;  ///< independent data that the evidence counts
+
+  /// That nothing is added, on the scale of the others' evidence.
+  [[nodiscard]] double none_evidence() const;
 };
+
+/// Evidence and gain of each over leaving it out.
+/// @param noise relative error that the scatter over hits alone would give
+void judge_hypotheses(std::vector<Hypothesis>& all,
+                      const Fit& without,
+                      double data,
+                      double noise);
 
 /// Explanations closer than this in log evidence are not told apart: 20 : 1,
 /// where "positive" evidence ends on Kass and Raftery's scale.

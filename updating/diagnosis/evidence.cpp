@@ -6,14 +6,16 @@
 
 namespace tapfit::updating {
 
-double log_evidence(const Fit& fit,
-                    double parameters,
-                    double places,
-                    double data,
-                    double noise) {
-  return estimate_form(fit.form, data, noise).log_likelihood -
-         0.5 * fit.result.prior_cost - 0.5 * parameters * std::log(data) -
-         std::log(std::max(places, 1.0));
+Evidence evidence(const Fit& fit,
+                  double parameters,
+                  double places,
+                  double data,
+                  double noise) {
+  const FormEstimate form = estimate_form(fit.form, data, noise);
+  const double price = 0.5 * fit.result.prior_cost +
+                       0.5 * parameters * std::log(data) +
+                       std::log(std::max(places, 1.0));
+  return {form.log_likelihood - price, form.log_likelihood_if_usual - price};
 }
 
 std::vector<double> probabilities(const std::vector<double>& log_evidences) {

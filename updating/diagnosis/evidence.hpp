@@ -16,16 +16,30 @@
 
 namespace tapfit::updating {
 
+/// How likely the data are by one explanation.
+struct Evidence {
+  double log = 0.0;
+  /// The same by a form of the deck that is no better than usual (see
+  /// form_error.hpp): its difference tells whether anything is missing.
+  double log_if_usual = 0.0;
+};
+
 /// @param fit all there is to fit
 /// @param parameters the effect's own, beyond those every model has
 /// @param places places it was searched at
 /// @param data from independent_data()
 /// @param noise relative error that the scatter over hits alone would give
-[[nodiscard]] double log_evidence(const Fit& fit,
-                                  double parameters,
-                                  double places,
-                                  double data,
-                                  double noise);
+[[nodiscard]] Evidence evidence(const Fit& fit,
+                                double parameters,
+                                double places,
+                                double data,
+                                double noise);
+
+/// Of an effect over leaving it out.
+[[nodiscard]] inline double log_gain(const Evidence& with,
+                                     const Evidence& without) {
+  return with.log_if_usual - without.log_if_usual;
+}
 
 /// Probabilities from log evidences, which may be far apart; sum 1.
 [[nodiscard]] std::vector<double> probabilities(

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -132,20 +133,12 @@ Fit ForwardSelection::with_last(const Fit& fit,
       turned, effects, fitter_->model_for(effects), progress);
 }
 
-// The evidence of all, the strongest first.
-void ForwardSelection::judge(CandidateRanking& round) const {
-  for (Hypothesis& h : round.hypotheses) {
-    h.log_evidence = log_evidence(h.fit,
-                                  static_cast<double>(h.own().p.size()),
-                                  h.places,
-                                  round.data,
-                                  options_.floor_noise);
-  }
-  std::stable_sort(round.hypotheses.begin(),
-                   round.hypotheses.end(),
-                   [](const Hypothesis& a, const Hypothesis& b) {
-                     return a.log_evidence > b.log_evidence;
-                   });
+// The strongest evidence first.
+void ForwardSelection::put_in_order(CandidateRanking& round,
+                                    const Fit& current) const {
+  judge_hypotheses(round.hypotheses, current, round.data, options_.floor_noise);
+  std::ranges::stable_sort(
+      round.hypotheses, std::greater{}, &Hypothesis::log_evidence);
 }
 
 // Between grids the likeliest of each kind goes on where it may be the answer.
@@ -199,15 +192,13 @@ CandidateRanking ForwardSelection::look(const Fit& current,
   round.hypotheses = fit_hypotheses(current, *fitter_, options, progress);
   // What there is to tell by is what is left so far.
   round.data = independent_data(fitter_->target(), current.result.residual);
-  judge(round);
+  put_in_order(round, current);
   if (options.neighbours > 0) {
     settle_places(current, round, progress);
-    judge(round);
+    put_in_order(round, current);
   }
   put_likeliest_kind_first(round.hypotheses);
-  round.none_evidence =
-      log_evidence(current, 0.0, 1.0, round.data, options_.floor_noise);
-  std::vector<double> evidence = {round.none_evidence};
+  std::vector<double> evidence = {round.none_evidence()};
   for (const Hypothesis& h : round.hypotheses) {
     evidence.push_back(h.log_evidence);
   }
@@ -225,7 +216,7 @@ ForwardSelection::Pair ForwardSelection::best_pair(
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
     // Nothing by itself: with another it is what the other is alone.
-    const bool tells = round.hypotheses[k].log_evidence > round.none_evidence;
+    const bool tells = round.hypotheses[k].log_gain > 0.0;
     if (!tells && !kinds.empty()) break;
     if (!kinds.insert(round.hypotheses[k].own().effect).second) continue;
     const std::size_t first = least_of_kind(round, k);
@@ -248,10 +239,9 @@ ForwardSelection::Pair ForwardSelection::best_pair(
         static_cast<double>(h.own().p.size() + second.own().p.size());
     pair.first = first;
     const double noise = options_.floor_noise;
-    pair.gain =
-        log_evidence(
-            second.fit, own, h.places * second.places, next.data, noise) -
-        log_evidence(current, 0.0, 1.0, next.data, noise);
+    const double places = h.places * second.places;
+    pair.gain = log_gain(evidence(second.fit, own, places, next.data, noise),
+                         evidence(current, 0.0, 1.0, next.data, noise));
     pair.next = std::move(next);
   }
   return pair;
@@ -310,10 +300,9 @@ Fit ForwardSelection::prune(Fit fit,
     Fit rest = refit(without(fit, k), progress);
     const double own = static_cast<double>(fit.effects[k].p.size());
     const double noise = options_.floor_noise;
-    const double gain = log_evidence(fit, own, 1.0, data, noise) -
-                        log_evidence(rest, 0.0, 1.0, data, noise);
-    const Floor floor = floor_of(rest, fitter_->target(), options_);
-    if (is_superfluous(gain, fit.result.error, rest.result.error, floor)) {
+    const double gain = log_gain(evidence(fit, own, 1.0, data, noise),
+                                 evidence(rest, 0.0, 1.0, data, noise));
+    if (gain < very_strong) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

@@ -86,7 +86,7 @@ class ForwardSelection {
                           const Progress& progress) const;
 
  private:
-  void judge(CandidateRanking& round) const;
+  void put_in_order(CandidateRanking& round, const Fit& current) const;
   void settle_places(const Fit& current,
                      CandidateRanking& round,
                      const Progress& progress) const;

@@ -35,8 +35,7 @@ StepwiseSelection::Choice StepwiseSelection::choose(
     const CandidateRanking& round, bool first, const Progress& progress) const {
   Worth worth;
   worth.held_out = held_out_;
-  worth.share = share_to_reach(current_.result.error, floor());
-  worth.gain = round.hypotheses[0].log_evidence - round.none_evidence;
+  worth.gain = round.hypotheses[0].log_gain;
   if (!first || !leaves_much(round.hypotheses.front().fit))
     return {0, worth, {}};
   // What it is worth shows on the next rung.
@@ -91,8 +90,8 @@ bool StepwiseSelection::try_to_add(bool first,
   worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
   if (!worth.earned()) return false;
-  worth.gain = added.log_evidence - round.none_evidence;
-  worth.share = share_to_reach(current_.result.error, floor());
+  worth.gain = added.log_gain;
+  worth.share = worth_it;
   before_pair_.reset();  // a second followed
   if (!worth.earned()) before_pair_ = {current_, held_out_};
   passed_over_.clear();

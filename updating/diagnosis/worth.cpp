@@ -2,7 +2,6 @@
 
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
-#include "updating/search/screened.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,19 +46,6 @@ bool is_unexplained(double error, double floor, double base, bool effects) {
   constexpr double part = 0.1;
   const double much = effects ? part * std::min(base, nothing) : 0.0;
   return error > std::max(clear_of_floor * floor, much);
-}
-
-double share_to_reach(double error, const Floor& floor) {
-  return is_at_floor(error, floor) ? 1.0 / clear_of_floor : worth_it;
-}
-
-bool is_superfluous(double gain,
-                    double error,
-                    double without,
-                    const Floor& floor) {
-  const bool alone =
-      is_at_floor(without, floor) && clear_of_floor * error > without;
-  return gain < very_strong || alone;
 }
 
 }  // namespace tapfit::updating

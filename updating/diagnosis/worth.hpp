@@ -4,6 +4,7 @@
 
 #include "updating/diagnosis/diagnose_options.hpp"
 #include "updating/fit/fitter.hpp"
+#include "updating/search/screened.hpp"
 
 namespace tapfit::updating {
 
@@ -11,8 +12,7 @@ namespace tapfit::updating {
 extern const double very_strong;
 /// A fit within this factor of the floor leaves nothing to explain.
 extern const double at_floor;
-/// Beyond this times the floor there is surely more than one rung can explain,
-/// and what an effect below the floor must be better by to be believed.
+/// Beyond this times the floor there is surely more than one rung can explain.
 extern const double clear_of_floor;
 
 /// Parts of the runs that are left out in turn.
@@ -21,8 +21,9 @@ inline constexpr int held_out_folds = 4;
 /// A rung must lower the error on runs that it was not fitted to, to a share of
 /// what it was, and do so with very strong evidence.
 struct Worth {
-  double gain = 0.0;      ///< log evidence over leaving it out
-  double share = 1.0;     ///< error on left-out runs must fall below this
+  double gain = 0.0;  ///< log evidence over leaving it out
+  /// The error on left-out runs must fall below this of what it was.
+  double share = worth_it;
   double held_out = 0.0;  ///< before
   double with_it = 0.0;   ///< and after
 
@@ -61,22 +62,5 @@ struct Floor {
                                   double floor,
                                   double base,
                                   bool effects);
-
-/// The share of Worth: what mesh and form may explain must be left behind by
-/// far.
-[[nodiscard]] double share_to_reach(double error, const Floor& floor);
-
-/// Whether an effect that is in the model is not needed beside the others: once
-/// an effect has moved to its right place, it may explain alone what another
-/// was added for. Far below a floor that is the mesh's or the form's both may
-/// be there.
-///
-/// @param gain log evidence over leaving it out
-/// @param without the error then
-/// @param floor of what is then left
-[[nodiscard]] bool is_superfluous(double gain,
-                                  double error,
-                                  double without,
-                                  const Floor& floor);
 
 }  // namespace tapfit::updating

@@ -100,6 +100,43 @@ Density best_sigma(
   return fa > fb ? Density{fa, std::exp(a)} : Density{fb, std::exp(b)};
 }
 
+// One tau of the grid.
+struct Tried {
+  double tau = 0.0;
+  double log_density = 0.0;
+};
+
+// Of the grid's step around a tau the share that is no less than a least tau.
+double share_above(double least, double tau) {
+  return std::clamp(0.5 + std::log(tau / least) / grid_step, 0.0, 1.0);
+}
+
+// ln of the integral of the density over ln tau, from a least tau on.
+double log_integral(const std::vector<Tried>& grid, double least) {
+  double most = -1e300;
+  for (const Tried& at : grid) {
+    if (share_above(least, at.tau) == 0.0) continue;
+    most = std::max(most, at.log_density);
+  }
+  double sum = 0.0;
+  for (const Tried& at : grid) {
+    sum += share_above(least, at.tau) * std::exp(at.log_density - most);
+  }
+  return most + std::log(sum * grid_step);
+}
+
+// Root of the mean of tau^2, however small it is.
+double mean_tau_of(const std::vector<Tried>& grid, double most) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const Tried& at : grid) {
+    const double p = std::exp(at.log_density - most);
+    sum += p;
+    squares += p * at.tau * at.tau;
+  }
+  return std::sqrt(squares / sum);
+}
+
 }  // namespace
 
 FormError form_error(const MatrixXd& F) {
@@ -135,28 +172,20 @@ FormView view(const FormError& form,
 FormEstimate estimate_form(const FormView& v, double data, double noise) {
   const double top = std::sqrt(std::max(v.whole, 1e-30));
   const double bottom = std::max(std::min(noise, 0.99 * top), 1e-3 * top);
-  std::vector<double> density;
-  std::vector<double> tried;
+  std::vector<Tried> grid;
   FormEstimate best;
   double most = -1e300;
   for (double tau = least_tau; tau < most_tau; tau *= std::exp(grid_step)) {
     const Density at = best_sigma(v, data, tau, bottom, top);
-    density.push_back(at.log);
-    tried.push_back(tau);
+    grid.push_back({tau, at.log});
     if (at.log <= most) continue;
     most = at.log;
     best.tau = tau;
     best.sigma = at.sigma;
   }
-  double sum = 0.0;
-  double squares = 0.0;
-  for (std::size_t k = 0; k < density.size(); ++k) {
-    const double p = std::exp(density[k] - most);
-    sum += p;
-    squares += p * tried[k] * tried[k];
-  }
-  best.mean_tau = std::sqrt(squares / sum);
-  best.log_likelihood = most + std::log(sum * grid_step);
+  best.mean_tau = mean_tau_of(grid, most);
+  best.log_likelihood = log_integral(grid, 0.1 * least_tau);
+  best.log_likelihood_if_usual = log_integral(grid, v.allowance * middle_tau);
   const double g = data / (best.sigma * best.sigma);
   const double kappa = 1.0 / (g * best.tau * best.tau);
   best.step = weigh(v, kappa, g).step;

@@ -7,14 +7,17 @@
 // with the patterns F of FrfModel::form_patterns(), so that it has the
 // covariance sigma^2 / N (I + F F' / kappa), kappa = sigma^2 / (N tau^2). sigma
 // is what else is left, as a relative error; both are estimated from the data,
-// tau under a prior. Fits go to the least residual all the same: weighed by
-// this covariance, properties that do to all modes what the form may do would
-// be told by the curvature alone, and four times as many steps be needed. The
-// covariance says how likely what they leave is, and how far it may have driven
-// them. Sources: M. C. Kennedy, A. O'Hagan, "Bayesian calibration
-// of computer models", J. Royal Statistical Society B 63, 2001; E. Simoen, G.
-// De Roeck, G. Lombaert, "Dealing with uncertainty in model updating for damage
-// assessment", MSSP 56-57, 2015.
+// tau under a prior. Whether anything is missing at all is asked of forms no
+// smaller than usual: mistakes of form are not independent from mode to mode,
+// as the patterns are, and a corner that gives looks like a spring; what lies
+// within a usual form is no evidence of anything else. Fits go to the least
+// residual all the same: weighed by this covariance, properties that do to all
+// modes what the form may do would be told by the curvature alone, and four
+// times as many steps be needed. The covariance says how likely what they leave
+// is, and how far it may have driven them. Sources: M. C. Kennedy, A. O'Hagan,
+// "Bayesian calibration of computer models", J. Royal Statistical Society B 63,
+// 2001; E. Simoen, G. De Roeck, G. Lombaert, "Dealing with uncertainty in model
+// updating for damage assessment", MSSP 56-57, 2015.
 #pragma once
 
 #include <Eigen/Core>
@@ -64,6 +67,8 @@ struct FormEstimate {
   /// Log of the probability of the residual, tau summed over, sigma at its
   /// likeliest for each tau.
   double log_likelihood = 0.0;
+  /// The same of tau no less than middle_tau times the allowance.
+  double log_likelihood_if_usual = 0.0;
   double tau = 0.0;  ///< relative, of a modal stiffness: twice a frequency's
   /// Root of the mean of tau^2: more where the data leave it open.
   double mean_tau = 0.0;

@@ -44,20 +44,17 @@ CandidateRanking round_of(const std::vector<Contender>& contenders,
                           const Judge& judge) {
   CandidateRanking round;
   round.data = judge.data(none);
-  const double noise = judge.options.floor_noise;
-  round.none_evidence = log_evidence(none, 0.0, 1.0, round.data, noise);
   std::vector<double> of_kinds;
   for (const Contender& c : contenders) {
-    Hypothesis h = c.hypothesis;
-    h.log_evidence = log_evidence(h.fit,
-                                  static_cast<double>(h.own().p.size()),
-                                  h.places,
-                                  round.data,
-                                  noise);
-    of_kinds.push_back(h.log_evidence + std::log(c.kind_share));
-    round.hypotheses.push_back(std::move(h));
+    round.hypotheses.push_back(c.hypothesis);
   }
-  of_kinds.insert(of_kinds.begin(), round.none_evidence);
+  judge_hypotheses(
+      round.hypotheses, none, round.data, judge.options.floor_noise);
+  of_kinds.push_back(round.none_evidence());
+  for (std::size_t k = 0; k < contenders.size(); ++k) {
+    of_kinds.push_back(round.hypotheses[k].log_evidence +
+                       std::log(contenders[k].kind_share));
+  }
   round.probability = probabilities(of_kinds);
   return round;
 }
@@ -81,9 +78,7 @@ bool earns(const Fit& with,
   if (gain <= very_strong) return false;
   const DiagnoseOptions& options = judge.options;
   const bool much = judge.form(with).left > clear_of_floor * options.floor;
-  worth.share = first && much
-                    ? 1.0
-                    : share_to_reach(none.result.error, judge.floor(none));
+  if (first && much) worth.share = 1.0;
   for_each_parallel(2, [&](std::size_t k) {
     (k == 0 ? worth.held_out : worth.with_it) =
         judge.held_out(k == 0 ? none : with);
@@ -100,14 +95,10 @@ bool stays(const CandidateRanking& round,
            std::size_t rungs,
            const Judge& judge) {
   const Hypothesis& h = round.hypotheses[best];
-  const double gain = h.log_evidence - round.none_evidence;
+  const double gain = h.log_gain;
   // Beside others its place is settled and costs nothing.
   const double kept = gain + std::log(std::max(h.places, 1.0));
-  if (rungs > 1 &&
-      is_superfluous(
-          kept, h.fit.result.error, none.result.error, judge.floor(none))) {
-    return false;
-  }
+  if (rungs > 1 && kept < very_strong) return false;
   if (rung + 1 < rungs) return true;
   return !is_explained(none.result.error, judge.floor(none)) &&
          earns(h.fit, gain, none, rungs == 1, judge);
@@ -123,7 +114,7 @@ void add_beside(const Refits& refits,
   const CandidateRanking round = round_of(refits.besides, top, judge);
   const std::size_t best = strongest(round);
   const Hypothesis& h = round.hypotheses[best];
-  const double gain = h.log_evidence - round.none_evidence;
+  const double gain = h.log_gain;
   const bool first = result.ladder.empty();
   if (!earns(h.fit, gain, top, first, judge)) return;
   Rung rung;

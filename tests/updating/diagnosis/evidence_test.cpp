@@ -47,8 +47,8 @@ Fit leaves(double error) {
 TEST(Evidence, OneFrfTellsAMassThatExplainsIt) {
   // One mode, one FRF, 30 % brought to 2 % by one of two candidates.
   const double data = data_of(1, 1);
-  const double gained = log_evidence(leaves(0.02), 1.0, 2.0, data, 0.0) -
-                        log_evidence(leaves(0.3), 0.0, 1.0, data, 0.0);
+  const double gained = evidence(leaves(0.02), 1.0, 2.0, data, 0.0).log -
+                        evidence(leaves(0.3), 0.0, 1.0, data, 0.0).log;
   // 3 ln 15 less the price of a parameter and of two places: 3 x 2.71 - 0.55 -
   // 0.69.
   EXPECT_NEAR(gained, 6.88, 0.05);
@@ -57,8 +57,8 @@ TEST(Evidence, OneFrfTellsAMassThatExplainsIt) {
 TEST(Evidence, APropertyFarFromItsPriorCosts) {
   Fit far = leaves(0.02);
   far.result.prior_cost = 9.0;  // three deviations
-  EXPECT_NEAR(log_evidence(leaves(0.02), 0.0, 1.0, 20.0, 0.0) -
-                  log_evidence(far, 0.0, 1.0, 20.0, 0.0),
+  EXPECT_NEAR(evidence(leaves(0.02), 0.0, 1.0, 20.0, 0.0).log -
+                  evidence(far, 0.0, 1.0, 20.0, 0.0).log,
               4.5,
               1e-9);
 }

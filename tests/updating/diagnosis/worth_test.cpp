@@ -24,19 +24,6 @@ TEST(Floors, OfMeshAndFormMayHideAnEffect) {
   EXPECT_FALSE(may_hide_effect(0.02, narrow));
 }
 
-TEST(Floors, AskMoreOfAnEffectBelowThem) {
-  EXPECT_DOUBLE_EQ(share_to_reach(0.12, wide), 1.0 / 3.0);
-  EXPECT_GT(share_to_reach(0.14, wide), 0.5);
-}
-
-TEST(Floors, MakeAnEffectSuperfluousThatOnlyTheyNeed) {
-  const double strong = 100.0;  // log evidence
-  EXPECT_TRUE(is_superfluous(1.0, 0.01, 0.5, wide)) << "no evidence";
-  EXPECT_TRUE(is_superfluous(strong, 0.08, 0.12, wide));
-  EXPECT_FALSE(is_superfluous(strong, 0.02, 0.12, wide)) << "far below";
-  EXPECT_FALSE(is_superfluous(strong, 0.08, 0.5, wide)) << "far above";
-}
-
 TEST(AnUnexplainedError, IsFarAboveFloorAndBase) {
   EXPECT_TRUE(is_unexplained(0.4, 0.1, 1.0, false));
   EXPECT_FALSE(is_unexplained(0.25, 0.1, 1.0, false));

@@ -102,21 +102,37 @@ TEST(FormError, SaysWhereAParameterIsLikeliest) {
   EXPECT_GT(std::sqrt(least / 20.0), 3e-3);
 }
 
-// One parameter that takes six patterns to nothing beats their free choice.
-TEST(FormError, CostsMoreThanAnEffectThatExplainsTheSame) {
+// Log likelihood that an effect gains which explains modal stiffnesses that are
+// all off by a share.
+double gain_of_explaining(double share, double allowance) {
   SeededRandom random(9, "form");
   const MatrixXd F = 10.0 / std::sqrt(samples * 1.0) *
                      gaussian(random, samples, pattern_count);
   const VectorXd noise =
       0.01 / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
-  const VectorXd shifts = 0.01 * VectorXd::Ones(pattern_count);
+  const VectorXd shifts = VectorXd::Constant(pattern_count, share);
   const FormError form = form_error(F);
-  const double with =
-      estimate_form(view(form, noise, {}), samples, 0.0).log_likelihood;
-  const double without =
-      estimate_form(view(form, noise + F * shifts, {}), samples, 0.0)
-          .log_likelihood;
-  EXPECT_GT(with - without, 20.0);
+  const auto log_likelihood = [&](const VectorXd& r) {
+    FormView seen = view(form, r, {});
+    seen.allowance = allowance;
+    return estimate_form(seen, samples, 0.0).log_likelihood_if_usual;
+  };
+  return log_likelihood(noise) - log_likelihood(noise + F * shifts);
+}
+
+// A form that would be five times the usual one: each of 20 patterns costs
+// (5^2 - 1) / 2 at the usual tau, or ln 5 and more at its own.
+TEST(FormError, CostsMoreThanAnEffectThatExplainsTheSame) {
+  EXPECT_GT(gain_of_explaining(5.0 * middle_tau, 1.0), 20.0);
+}
+
+// Half the usual form costs (1/2)^2 / 2 a pattern, 2.5 in all, and less than
+// very strong evidence (ln 150): what corners and
+// clamps do to many modes alike is no evidence of an effect.
+TEST(FormError, IsNoEvidenceWhereItIsUsual) {
+  EXPECT_LT(gain_of_explaining(0.5 * middle_tau, 1.0), 5.0);
+  // Where decks are held to be more exact it is unusual.
+  EXPECT_GT(gain_of_explaining(0.5 * middle_tau, 0.1), 20.0);
 }
 
 // Where the data leave the form open, more is taken for it the more a careful
