@@ -65,7 +65,8 @@ void judge_hypotheses(std::vector<Hypothesis>& all,
     const auto own = static_cast<double>(h.own().p.size());
     const Evidence with = evidence(h.fit, own, h.places, data, noise);
     h.log_evidence = with.log;
-    h.log_gain = log_gain(with, none);
+    h.log_gain =
+        log_gain(with, none, h.fit.result.error / without.result.error);
   }
 }
 

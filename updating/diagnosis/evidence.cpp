@@ -18,6 +18,13 @@ Evidence evidence(const Fit& fit,
   return {form.log_likelihood - price, form.log_likelihood_if_usual - price};
 }
 
+double log_gain(const Evidence& with, const Evidence& without, double left) {
+  // A third of the error: nine parts in ten of its square are explained.
+  constexpr double little = 1.0 / 3.0;
+  const double if_usual = with.log_if_usual - without.log_if_usual;
+  return left < little ? std::max(if_usual, with.log - without.log) : if_usual;
+}
+
 std::vector<double> probabilities(const std::vector<double>& log_evidences) {
   if (log_evidences.empty()) return {};
   const double top =

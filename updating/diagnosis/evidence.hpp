@@ -35,11 +35,13 @@ struct Evidence {
                                 double data,
                                 double noise);
 
-/// Of an effect over leaving it out.
-[[nodiscard]] inline double log_gain(const Evidence& with,
-                                     const Evidence& without) {
-  return with.log_if_usual - without.log_if_usual;
-}
+/// Of an effect over leaving it out. What a usual form of the deck may do is no
+/// reason to add anything, unless the effect does next to all of it: then the
+/// deck is better than usual.
+/// @param left of the error without it, the share that is left with it
+[[nodiscard]] double log_gain(const Evidence& with,
+                              const Evidence& without,
+                              double left);
 
 /// Probabilities from log evidences, which may be far apart; sum 1.
 [[nodiscard]] std::vector<double> probabilities(

@@ -241,7 +241,8 @@ ForwardSelection::Pair ForwardSelection::best_pair(
     const double noise = options_.floor_noise;
     const double places = h.places * second.places;
     pair.gain = log_gain(evidence(second.fit, own, places, next.data, noise),
-                         evidence(current, 0.0, 1.0, next.data, noise));
+                         evidence(current, 0.0, 1.0, next.data, noise),
+                         second.fit.result.error / current.result.error);
     pair.next = std::move(next);
   }
   return pair;
@@ -301,7 +302,8 @@ Fit ForwardSelection::prune(Fit fit,
     const double own = static_cast<double>(fit.effects[k].p.size());
     const double noise = options_.floor_noise;
     const double gain = log_gain(evidence(fit, own, 1.0, data, noise),
-                                 evidence(rest, 0.0, 1.0, data, noise));
+                                 evidence(rest, 0.0, 1.0, data, noise),
+                                 fit.result.error / rest.result.error);
     if (gain < very_strong) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));

@@ -63,5 +63,16 @@ TEST(Evidence, APropertyFarFromItsPriorCosts) {
               1e-9);
 }
 
+// What a usual form may do counts only where next to nothing is left.
+TEST(Evidence, OfWhatAUsualFormMayDoIsThatItIsAll) {
+  const Evidence with{20.0, 3.0};
+  const Evidence without{0.0, 4.0};
+  EXPECT_DOUBLE_EQ(log_gain(with, without, 0.5), -1.0);
+  EXPECT_DOUBLE_EQ(log_gain(with, without, 0.2), 20.0);
+  // What no form explains counts however much is left.
+  EXPECT_DOUBLE_EQ(log_gain({9.0, 12.0}, {0.0, 2.0}, 0.9), 10.0);
+  EXPECT_DOUBLE_EQ(log_gain({9.0, 12.0}, {0.0, 2.0}, 0.2), 10.0);
+}
+
 }  // namespace
 }  // namespace tapfit::updating
