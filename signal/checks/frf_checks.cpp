@@ -78,7 +78,25 @@ bool same_place(const Dof& a, const Dof& b) {
   return a.node == b.node && a.component == b.component;
 }
 
-// @param sign of the point that it is taken for
+// Another response to the same blows that passes, taken as the driving point;
+// the one with the most peaks.
+std::optional<std::size_t> rather(const FrfSet& set, std::size_t index) {
+  std::optional<std::size_t> best;
+  int peaks = 1;
+  for (std::size_t i = 0; i < set.frfs.size(); ++i) {
+    if (i == index || set.frfs[i].run != set.frfs[index].run) continue;
+    const DrivingPoint other =
+        driving_point(set, i, orientation(set.frfs[index]));
+    if (other.peaks > peaks && other.fair()) {
+      best = i;
+      peaks = other.peaks;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
 DrivingPoint driving_point(const FrfSet& set, std::size_t index, double sign) {
   const Frf& frf = set.frfs[index];
   DrivingPoint point;
@@ -111,28 +129,14 @@ DrivingPoint driving_point(const FrfSet& set, std::size_t index, double sign) {
   return point;
 }
 
-// Another response to the same blows that passes, taken as the driving point;
-// the one with the most peaks.
-std::optional<std::size_t> rather(const FrfSet& set, std::size_t index) {
-  std::optional<std::size_t> best;
-  int peaks = 1;
-  for (std::size_t i = 0; i < set.frfs.size(); ++i) {
-    if (i == index || set.frfs[i].run != set.frfs[index].run) continue;
-    const DrivingPoint other =
-        driving_point(set, i, orientation(set.frfs[index]));
-    if (other.peaks > peaks && other.fair()) {
-      best = i;
-      peaks = other.peaks;
-    }
-  }
-  return best;
-}
-
-Reciprocal compared(const FrfSet& set, std::size_t i, std::size_t j) {
+Reciprocal compared(const FrfSet& set,
+                    std::size_t i,
+                    std::size_t j,
+                    double sign) {
   const Frf& a = set.frfs[i];
   const Frf& b = set.frfs[j];
-  const Eigen::VectorXcd one = orientation(a) * a.H;
-  const Eigen::VectorXcd two = orientation(b) * b.H;
+  const Eigen::VectorXcd one = sign * a.H;
+  const Eigen::VectorXcd two = b.H;
   const double norms = one.norm() * two.norm();
   Reciprocal result;
   result.frf = i;
@@ -148,8 +152,6 @@ Reciprocal compared(const FrfSet& set, std::size_t i, std::size_t j) {
   }
   return result;
 }
-
-}  // namespace
 
 std::vector<DrivingPoint> driving_points(const FrfSet& set) {
   std::vector<DrivingPoint> result;
@@ -173,7 +175,8 @@ std::vector<Reciprocal> reciprocals(const FrfSet& set) {
     for (std::size_t j = i + 1; j < set.frfs.size(); ++j) {
       if (same_place(set.frfs[i].response, set.frfs[j].reference) &&
           same_place(set.frfs[i].reference, set.frfs[j].response)) {
-        result.push_back(compared(set, i, j));
+        result.push_back(compared(
+            set, i, j, orientation(set.frfs[i]) * orientation(set.frfs[j])));
       }
     }
   }

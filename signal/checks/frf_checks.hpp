@@ -66,7 +66,24 @@ struct Reciprocal {
   [[nodiscard]] bool fair() const {
     return (chi2 > 0.0 && chi2 < 4.0) || difference < 0.02;
   }
+  /// A factor explains all but a tenth of the difference, or all but 2 %.
+  [[nodiscard]] bool by_a_factor() const {
+    return shape_difference < 0.1 * difference || shape_difference < 0.02;
+  }
 };
+
+/// That FRF taken for one of a driving point.
+/// @param sign 1, or -1 where hammer and sensor point against each other
+[[nodiscard]] DrivingPoint driving_point(const FrfSet& set,
+                                         std::size_t index,
+                                         double sign);
+
+/// Two FRFs taken for the same path both ways.
+/// @param sign of the first against the second
+[[nodiscard]] Reciprocal compared(const FrfSet& set,
+                                  std::size_t i,
+                                  std::size_t j,
+                                  double sign);
 
 /// FRFs whose response is where the hammer hits, in its direction.
 [[nodiscard]] std::vector<DrivingPoint> driving_points(const FrfSet& set);

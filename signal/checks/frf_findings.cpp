@@ -1,6 +1,7 @@
 #include "signal/checks/frf_findings.hpp"
 
 #include "acquisition/samples/statistics.hpp"
+#include "signal/checks/shared_factor.hpp"
 
 #include <fmt/format.h>
 
@@ -170,9 +171,7 @@ Finding differing_pair(const TestBundle& bundle,
   finding.where = subject_of(bundle, a);
   if (b.run != a.run) finding.where.runs.push_back(b.run);
   std::ranges::sort(finding.where.runs);
-  // A factor explains all but a tenth of the difference.
-  const bool factor = pair.shape_difference < 0.1 * pair.difference ||
-                      pair.shape_difference < 0.02;
+  const bool factor = pair.by_a_factor();
   if (factor && pair.gain < 0.0) {
     finding.what = both + " have opposite signs";
     finding.likely = "the polarity of one of the two sensors is turned";
@@ -191,7 +190,9 @@ Finding differing_pair(const TestBundle& bundle,
   } else if (factor) {
     finding.what = fmt::format(
         "{} differ by a factor of {:.4g} and nothing else", both, pair.gain);
-    finding.likely = "one of the two sensitivities is off by it";
+    finding.likely =
+        "one of the two sensitivities is off by it, or the hammer's in one of "
+        "the two runs";
     finding.remedy = "tapfit calibrate on a free mass says which";
   } else {
     finding.what = fmt::format("{} differ by {:.3g} %, whatever the factor",
@@ -205,6 +206,38 @@ Finding differing_pair(const TestBundle& bundle,
     finding.remedy = "compare the two points with the sheet";
   }
   return finding;
+}
+
+// A sensor across the direction written down hears a few per cent of what it
+// should: its transverse sensitivity.
+constexpr double most_across = 0.2;
+
+Finding factor_finding(const TestBundle& bundle, const SharedFactor& shared) {
+  const std::string who = shared.channel < bundle.channels.size()
+                              ? bundle.channels[shared.channel].name
+                              : "the sensor at " + name(shared.point);
+  const std::string hammer =
+      shared.run < bundle.runs.size()
+          ? bundle.channels[bundle.runs[shared.run].hammer.channel].name
+          : "the hammer";
+  return {Severity::Warning,
+          {{shared.run}, who, {}, name(shared.point)},
+          fmt::format("{} paths from {} to other points differ from the way "
+                      "back by a factor of {:.4g} and nothing else",
+                      shared.pairs.size(),
+                      name(shared.point),
+                      shared.factor),
+          fmt::format("of the sensitivities that of {} is off by it, or that "
+                      "of {} in run {}{}",
+                      who,
+                      hammer,
+                      shared.run + 1,
+                      shared.factor < most_across
+                          ? fmt::format(", or {} measures across the direction "
+                                        "written down",
+                                        who)
+                          : std::string()),
+          "tapfit calibrate on a free mass says whether it is the sensor"};
 }
 
 }  // namespace
@@ -281,9 +314,14 @@ std::vector<Finding> reciprocity_findings(
     const FrfSet& set,
     const std::vector<Reciprocal>& pairs) {
   std::vector<Finding> found;
-  for (const Reciprocal& pair : pairs) {
-    if (pair.fair()) continue;
-    found.push_back(differing_pair(bundle, set, pair));
+  std::set<std::size_t> told;
+  for (const SharedFactor& shared : shared_factors(set, pairs)) {
+    told.insert(shared.pairs.begin(), shared.pairs.end());
+    found.push_back(factor_finding(bundle, shared));
+  }
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    if (pairs[p].fair() || told.contains(p)) continue;
+    found.push_back(differing_pair(bundle, set, pairs[p]));
   }
   return found;
 }

@@ -14,6 +14,7 @@
 #include "modal/checks/run_poles.hpp"
 #include "modal/checks/run_residues.hpp"
 #include "signal/checks/calibration_findings.hpp"
+#include "signal/checks/exchanged_labels.hpp"
 #include "signal/checks/frf_findings.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 
@@ -148,26 +149,44 @@ class Checker {
 
   void frfs() {
     if (!reached([&] { (void)session_.frfs(progress_); })) return;
-    const TestBundle& bundle = session_.bundle();
     const signal::FrfSet& set = session_.frfs();
     found_.points = signal::driving_points(set);
     found_.pairs = signal::reciprocals(set);
     const std::vector<Finding> kinds = modes();
     std::set<std::string> other_kind;
     for (const Finding& kind : kinds) other_kind.insert(kind.where.channel);
-    // A channel of another kind has no fair driving point either.
-    for (Finding& finding :
-         driving_point_findings(bundle, set, found_.points)) {
-      if (other_kind.contains(finding.where.channel)) continue;
-      add({std::move(finding)});
-    }
-    add(reciprocity_findings(bundle, set, found_.pairs));
+    both_ways(other_kind);
     add(set.findings);
     if (set.level.is_nonlinear()) {
       add({{Severity::Warning, {}, statement(set.level), {}, {}}});
     }
     add(signal::spread_findings(set));
     masses();
+  }
+
+  // What an exchange of two labels explains is said once.
+  void both_ways(const std::set<std::string>& other_kind) {
+    const TestBundle& bundle = session_.bundle();
+    const signal::FrfSet& set = session_.frfs();
+    const auto exchanges = signal::exchanged_labels(set, found_.pairs);
+    const auto explained = [&](std::size_t f) {
+      return std::ranges::any_of(exchanges, [&](const auto& exchange) {
+        return is_of(exchange, set.frfs[f]);
+      });
+    };
+    std::vector<signal::DrivingPoint> points = found_.points;
+    std::erase_if(points, [&](const auto& p) { return explained(p.frf); });
+    // A channel of another kind has no fair driving point either.
+    for (Finding& finding : driving_point_findings(bundle, set, points)) {
+      if (other_kind.contains(finding.where.channel)) continue;
+      add({std::move(finding)});
+    }
+    std::vector<signal::Reciprocal> pairs = found_.pairs;
+    std::erase_if(pairs, [&](const auto& p) {
+      return !p.by_a_factor() && (explained(p.frf) || explained(p.other));
+    });
+    add(exchange_findings(bundle, set, found_.pairs, exchanges));
+    add(reciprocity_findings(bundle, set, pairs));
   }
 
   // Returns those that say that a channel measures no acceleration.
