@@ -6,6 +6,7 @@
 #include "acquisition/checks/record_findings.hpp"
 #include "acquisition/checks/rejected_hits.hpp"
 #include "acquisition/checks/repeated_runs.hpp"
+#include "acquisition/checks/steady_tones.hpp"
 #include "acquisition/checks/value_jumps.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/checks/channel_phase.hpp"
@@ -110,12 +111,14 @@ class Checker {
       add({as_finding(run.why, {{run.run}, {}, {}, {}})});
     }
     add(acquisition::repeated_run_findings(bundle, recordings));
+    add(acquisition::repeated_channel_findings(bundle, recordings));
     add(acquisition::force_channel_findings(bundle, recordings, hits));
     found_.records = channel_records(bundle, recordings, hits);
     add(record_findings(bundle, found_.records));
     if (!hit) return false;
     add(hits.findings);
     add(acquisition::jump_findings(bundle, recordings, hits));
+    add(acquisition::tone_findings(bundle, recordings, hits));
     add(acquisition::trigger_findings(bundle, recordings, hits));
     add(acquisition::rejected_hit_findings(bundle, recordings, hits));
     add(acquisition::clipping_findings(bundle, recordings, hits));
