@@ -163,6 +163,7 @@ SheetAndRecords plain_test(const PlainOptions& options) {
   for (int r = 0; r < options.runs; ++r) {
     structure.hits.push_back(static_cast<std::size_t>(r));
   }
+  structure = with_effect(structure, options.hidden, mass_kg);
   signal::GeneratedOptions o;
   o.hits = 3;
   o.response_noise = 0.02 * options.noise;
@@ -177,7 +178,11 @@ SheetAndRecords plain_test(const PlainOptions& options) {
     }
   }
   test.bundle.band_hz = {4.0, 90.0};
-  test.bundle.weighed = acquisition::Weighed{mass_kg, {}, 1.0};
+  const bool weighed_with = options.hidden.kind == Hidden::PointMass;
+  test.bundle.weighed = acquisition::Weighed{
+      mass_kg + (weighed_with ? mass_of(options.hidden, mass_kg) : 0.0),
+      {},
+      1.0};
   test.bundle.channels.front().unit = "N";
   return test;
 }

@@ -4,6 +4,7 @@
 
 #include "acquisition/bundle/recording.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
+#include "tests/updating/support/hidden_effect.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -28,6 +29,7 @@ struct PlainOptions {
   std::vector<int> sensor_at{};  ///< points; empty: drawn by the seed
   double stiffer = 1.0;          ///< all frequencies times that
   double noise = 1.0;            ///< of the ordinary one
+  HiddenEffect hidden{};         ///< in the structure
 };
 
 /// A clean test: drawn at random, sensors also hit (driving points), weighed.

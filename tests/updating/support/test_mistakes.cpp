@@ -1,5 +1,7 @@
 #include "tests/updating/support/test_mistakes.hpp"
 
+#include "tests/updating/support/sizes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -22,11 +24,6 @@ Eigen::Ref<VectorXd> column(SheetAndRecords& test, std::size_t run, Index c) {
 void each_run(SheetAndRecords& test,
               const std::function<void(Eigen::MatrixXd&)>& change) {
   for (Recording& recording : test.recordings) change(recording.samples);
-}
-
-// From just visible to gross, evenly in the logarithm.
-double between(double least, double most, double size) {
-  return least * std::pow(most / least, size);
 }
 
 // The samples later by that many, between samples by cubic Lagrange polynomials
