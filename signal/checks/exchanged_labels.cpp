@@ -136,9 +136,11 @@ std::string words(const TestBundle& bundle,
                        bundle.channels.at(exchange.one).name,
                        bundle.channels.at(exchange.other).name);
   }
-  std::string text = fmt::format("runs {} and {} each hit the other's point",
-                                 exchange.one + 1,
-                                 exchange.other + 1);
+  std::string text = fmt::format(
+      "runs {} and {} hit another point than written down, each the "
+      "other's",
+      exchange.one + 1,
+      exchange.other + 1);
   const auto one = sensor_at(set, exchange.one);
   const auto other = sensor_at(set, exchange.other);
   if (one && !other) text += sat_there(bundle, *one, exchange.other);

@@ -22,6 +22,7 @@
 #include "signal/checks/low_line.hpp"
 #include "signal/frf_set/frf_set.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -66,9 +67,11 @@ struct Reciprocal {
   [[nodiscard]] bool fair() const {
     return (chi2 > 0.0 && chi2 < 4.0) || difference < 0.02;
   }
-  /// A factor explains all but a tenth of the difference, or all but 2 %.
+  /// A factor explains all but a tenth of the difference (of the FRF itself,
+  /// where they differ by more than that), or all but 2 %.
   [[nodiscard]] bool by_a_factor() const {
-    return shape_difference < 0.1 * difference || shape_difference < 0.02;
+    return shape_difference < 0.1 * std::min(difference, 1.0) ||
+           shape_difference < 0.02;
   }
 };
 

@@ -71,16 +71,17 @@ TEST(ExchangedLabels, SensorsExchangedAreLikeBlowsExchanged) {
     exchange_sensors(test);
     const std::vector<Finding> said = found(test);
     ASSERT_EQ(said.size(), 1U);
-    EXPECT_EQ(said[0].likely,
-              "acc1 and acc2 are swapped, or runs 1 and 2 each hit the other's "
-              "point");
+    EXPECT_EQ(
+        said[0].likely,
+        "acc1 and acc2 are swapped, or runs 1 and 2 hit another point than "
+        "written down, each the other's");
   }
 }
 
 TEST(ExchangedLabels, BlowsExchangedAreLikeASensorMoved) {
   const std::string likely =
-      "runs 2 and 4 each hit the other's point, or acc2 "
-      "sat where run ";
+      "runs 2 and 4 hit another point than written down, each the other's, "
+      "or acc2 sat where run ";
   GeneratedTest test = measured(3);
   std::swap(test.bundle.runs[1].hammer, test.bundle.runs[3].hammer);
   const std::vector<Finding> blows = found(test);

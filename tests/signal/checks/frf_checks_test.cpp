@@ -141,6 +141,18 @@ TEST(Reciprocity, FairPairsAndAGain) {
   EXPECT_FALSE(pairs[0].fair());
 }
 
+// A thousandth of one FRF and all of another: 0.001^-0.5 apart by their
+// geometric mean, and still no factor.
+TEST(Reciprocity, UnlikeSizesAreNoFactor) {
+  Reciprocal pair;
+  pair.difference = 31.6;
+  pair.gain = 1000.0;
+  pair.shape_difference = 0.9;
+  EXPECT_FALSE(pair.by_a_factor());
+  pair.shape_difference = 0.05;
+  EXPECT_TRUE(pair.by_a_factor());
+}
+
 TEST(SpreadAtPeaks, IsThatOfH2OverH1) {
   FrfSet set = lines(5.0, 100.0, 1.0);
   add(set, {3, 3, 1}, {7, 3, 1}, [](complex s) {
