@@ -49,8 +49,8 @@ void put_likeliest_kind_first(std::vector<Hypothesis>& all);
     const CandidateRanking& round, std::size_t of);
 
 /// What is not known of a place widens what is said of the size: around it, as
-/// it was settled, and over all grids that were fitted, as probable as they
-/// are.
+/// it was settled, and over all grids that were fitted where it is worth more
+/// than nothing, as probable as they are.
 /// @return of the logarithm of each parameter
 [[nodiscard]] std::vector<double> place_sd(const CandidateRanking& round,
                                            std::size_t of);
