@@ -93,7 +93,7 @@ std::vector<Heard> heard_in(const TestBundle& bundle,
     const VectorXd response = x.tail(x.size() - first.trigger);
     const double level =
         std::sqrt((response.array() - response.mean()).square().mean());
-    if (tone->rms > limits.worth_saying * level) {
+    if (level > 0.0 && tone->rms > limits.worth_saying * level) {
       heard.push_back({run, sensor.channel, *tone, tone->rms / level});
     }
   }

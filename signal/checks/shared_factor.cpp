@@ -13,19 +13,19 @@ constexpr std::size_t fewest_pairs = 2;
 
 using Point = std::pair<int, int>;  // node, component
 
-/// One path's word on a point.
-struct Word {
+/// What one path tells of a point.
+struct PathFactor {
   std::size_t pair = 0;
   std::size_t own = 0;  // FRF whose response is the point
   double log_factor = 0.0;
 };
 
-std::map<Point, std::vector<Word>> words_on_points(
+std::map<Point, std::vector<PathFactor>> factors_by_point(
     const FrfSet& set, const std::vector<Reciprocal>& pairs) {
-  std::map<Point, std::vector<Word>> words;
+  std::map<Point, std::vector<PathFactor>> factors;
   const auto add = [&](std::size_t p, std::size_t own, double log_factor) {
     const Dof& at = set.frfs[own].response;
-    words[{at.node, at.component}].push_back({p, own, log_factor});
+    factors[{at.node, at.component}].push_back({p, own, log_factor});
   };
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const Reciprocal& pair = pairs[p];
@@ -37,39 +37,39 @@ std::map<Point, std::vector<Word>> words_on_points(
     add(p, pair.frf, std::log(pair.gain));
     add(p, pair.other, -std::log(pair.gain));
   }
-  return words;
+  return factors;
 }
 
-// Those that say what most say.
-std::vector<Word> agreeing(const std::vector<Word>& words) {
+// Those that agree with the one in the middle.
+std::vector<PathFactor> agreeing(const std::vector<PathFactor>& factors) {
   std::vector<double> logs;
-  for (const Word& word : words) logs.push_back(word.log_factor);
-  std::vector<Word> agree = words;
-  // The lower one of two in the middle: between them lies nobody's word.
+  for (const PathFactor& path : factors) logs.push_back(path.log_factor);
+  std::vector<PathFactor> agree = factors;
+  // The lower one of two in the middle: no path tells what lies between.
   std::ranges::sort(logs);
   const double middle = logs[(logs.size() - 1) / 2];
-  std::erase_if(agree, [&](const Word& word) {
-    return std::abs(word.log_factor - middle) > alike;
+  std::erase_if(agree, [&](const PathFactor& path) {
+    return std::abs(path.log_factor - middle) > alike;
   });
   return agree;
 }
 
 SharedFactor shared(const FrfSet& set,
                     const std::vector<Reciprocal>& pairs,
-                    const std::vector<Word>& words) {
+                    const std::vector<PathFactor>& factors) {
   SharedFactor found;
-  const Word& first = words.front();
+  const PathFactor& first = factors.front();
   const Reciprocal& pair = pairs[first.pair];
   const std::size_t back = pair.frf == first.own ? pair.other : pair.frf;
   found.point = set.frfs[first.own].response;
   found.channel = set.frfs[first.own].channel;
   found.run = set.frfs[back].run;
   double sum = 0.0;
-  for (const Word& word : words) {
-    sum += word.log_factor;
-    found.pairs.push_back(word.pair);
+  for (const PathFactor& path : factors) {
+    sum += path.log_factor;
+    found.pairs.push_back(path.pair);
   }
-  found.factor = std::exp(sum / static_cast<double>(words.size()));
+  found.factor = std::exp(sum / static_cast<double>(factors.size()));
   return found;
 }
 
@@ -77,23 +77,23 @@ SharedFactor shared(const FrfSet& set,
 
 std::vector<SharedFactor> shared_factors(const FrfSet& set,
                                          const std::vector<Reciprocal>& pairs) {
-  std::map<Point, std::vector<Word>> open = words_on_points(set, pairs);
+  std::map<Point, std::vector<PathFactor>> open = factors_by_point(set, pairs);
   std::map<Point, double> known;  // logarithms
   std::vector<SharedFactor> found;
   while (true) {
-    std::vector<Word> most;
-    for (const auto& [point, words] : open) {
-      if (words.empty()) continue;
-      std::vector<Word> agree = agreeing(words);
+    std::vector<PathFactor> most;
+    for (const auto& [point, factors] : open) {
+      if (factors.empty()) continue;
+      std::vector<PathFactor> agree = agreeing(factors);
       if (agree.size() > most.size()) most = std::move(agree);
     }
     if (most.size() < fewest_pairs) return found;
     SharedFactor one = shared(set, pairs, most);
     known[{one.point.node, one.point.component}] = std::log(one.factor);
     // What is between two points that are known is told, too.
-    for (auto& [point, words] : open) {
-      std::erase_if(words, [&](const Word& word) {
-        const Reciprocal& pair = pairs[word.pair];
+    for (auto& [point, factors] : open) {
+      std::erase_if(factors, [&](const PathFactor& path) {
+        const Reciprocal& pair = pairs[path.pair];
         const Dof& a = set.frfs[pair.frf].response;
         const Dof& b = set.frfs[pair.other].response;
         const auto at = [&](const Dof& dof) {
@@ -102,8 +102,8 @@ std::vector<SharedFactor> shared_factors(const FrfSet& set,
         };
         const bool told =
             std::abs(std::log(pair.gain) - at(a) + at(b)) <= alike;
-        const bool listed = std::ranges::count(one.pairs, word.pair) > 0;
-        if (told && !listed) one.pairs.push_back(word.pair);
+        const bool listed = std::ranges::count(one.pairs, path.pair) > 0;
+        if (told && !listed) one.pairs.push_back(path.pair);
         return told || listed;
       });
     }

@@ -150,7 +150,7 @@ std::vector<double> place_sd(const CandidateRanking& round, std::size_t of) {
         other.where.variant != own.own().where.variant) {
       continue;
     }
-    // Where it ends at no size at all it says nothing of its size elsewhere.
+    // Where it is worth nothing its size says nothing of that elsewhere.
     if (k != of && round.hypotheses[k].log_gain <= 0.0) continue;
     const double w = round.probability[k + 1];
     weight += w;

@@ -184,7 +184,7 @@ FormEstimate estimate_form(const FormView& v, double data, double noise) {
     best.sigma = at.sigma;
   }
   best.mean_tau = mean_tau_of(grid, most);
-  best.log_likelihood = log_integral(grid, 0.1 * least_tau);
+  best.log_likelihood = log_integral(grid, 0.0);
   best.log_likelihood_if_usual = log_integral(grid, v.allowance * middle_tau);
   const double g = data / (best.sigma * best.sigma);
   const double kappa = 1.0 / (g * best.tau * best.tau);

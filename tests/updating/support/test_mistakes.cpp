@@ -1,5 +1,6 @@
 #include "tests/updating/support/test_mistakes.hpp"
 
+#include "tests/updating/support/resampled.hpp"
 #include "tests/updating/support/sizes.hpp"
 
 #include <algorithm>
@@ -24,24 +25,6 @@ Eigen::Ref<VectorXd> column(SheetAndRecords& test, std::size_t run, Index c) {
 void each_run(SheetAndRecords& test,
               const std::function<void(Eigen::MatrixXd&)>& change) {
   for (Recording& recording : test.recordings) change(recording.samples);
-}
-
-// The samples later by that many, between samples by cubic Lagrange polynomials
-// (the signals are smooth).
-VectorXd delayed(const VectorXd& x, double samples) {
-  VectorXd y = VectorXd::Zero(x.size());
-  const auto whole = static_cast<Index>(std::floor(samples));
-  const double t = 1.0 - (samples - static_cast<double>(whole));
-  // Nodes -1, 0, 1, 2 around the place t between 0 and 1.
-  const double w0 = -t * (t - 1.0) * (t - 2.0) / 6.0;
-  const double w1 = (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0;
-  const double w2 = -(t + 1.0) * t * (t - 2.0) / 2.0;
-  const double w3 = (t + 1.0) * t * (t - 1.0) / 6.0;
-  for (Index i = whole + 3; i + 1 < x.size(); ++i) {
-    const Index at = i - whole - 1;
-    y(i) = w0 * x(at - 1) + w1 * x(at) + w2 * x(at + 1) + w3 * x(at + 2);
-  }
-  return y;
 }
 
 // Velocity from acceleration: trapezoids, and a slow leak so that noise does
@@ -264,7 +247,7 @@ std::vector<Mistake> sample_mistakes() {
        {"behind the hammer|lags behind"},
        [](Sheet& t, const Plain&, double size) {
          each_run(t, [size](auto& x) {
-           x.col(1) = delayed(x.col(1), between(0.1, 1.5, size));
+           x.col(1) = resampled(x.col(1), -between(0.1, 1.5, size), 1.0);
          });
        }},
   };

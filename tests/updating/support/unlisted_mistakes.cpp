@@ -1,5 +1,6 @@
 #include "tests/updating/support/unlisted_mistakes.hpp"
 
+#include "tests/updating/support/resampled.hpp"
 #include "tests/updating/support/sizes.hpp"
 
 #include <algorithm>
@@ -50,22 +51,6 @@ VectorXd filtered(const VectorXd& x, double corner_hz, double rate, bool high) {
   return high ? VectorXd(x - low) : low;
 }
 
-// The same signals read off at other times, by cubic Lagrange polynomials.
-Eigen::MatrixXd read_faster(const Eigen::MatrixXd& x, double factor) {
-  Eigen::MatrixXd y = Eigen::MatrixXd::Zero(x.rows(), x.cols());
-  for (Index i = 0; i < x.rows(); ++i) {
-    const double at = static_cast<double>(i) * factor;
-    const auto k = static_cast<Index>(at);
-    if (k < 1 || k + 2 >= x.rows()) continue;
-    const double t = at - static_cast<double>(k);
-    y.row(i) = -t * (t - 1.0) * (t - 2.0) / 6.0 * x.row(k - 1) +
-               (t + 1.0) * (t - 1.0) * (t - 2.0) / 2.0 * x.row(k) -
-               (t + 1.0) * t * (t - 2.0) / 2.0 * x.row(k + 1) +
-               (t + 1.0) * t * (t - 1.0) / 6.0 * x.row(k + 2);
-  }
-  return y;
-}
-
 // Weighted mean of neighbours, as long as a blow with a softer tip.
 VectorXd softened(const VectorXd& x, Index width) {
   VectorXd y = VectorXd::Zero(x.size());
@@ -95,8 +80,8 @@ std::vector<UnlistedMistake> of_runs() {
       {{"sampling rate of one run is another",
         {"sampling rate|sample rate|clock|time base"},
         [](Sheet& t, const Plain&, double size) {
-          t.recordings[3].samples = read_faster(t.recordings[3].samples,
-                                                size < 0.5 ? 1.0 / 1.024 : 0.5);
+          t.recordings[3].samples = resampled(
+              t.recordings[3].samples, 0.0, size < 0.5 ? 1.0 / 1.024 : 0.5);
         }},
        {3},
        ""},

@@ -1,6 +1,7 @@
-// Mistakes that the list of test_mistakes.hpp does not hold and that nothing in
-// the program was made for. They say how the check of a test fares with what
-// nobody thought of.
+// Mistakes that the list of test_mistakes.hpp does not hold. They say how the
+// check of a test fares with what nobody thought of; four of them have had a
+// check of their own since: hum, a machine next door, one signal on two
+// channels, a sensor on its side.
 #pragma once
 
 #include "tests/updating/support/test_mistakes.hpp"
