@@ -42,6 +42,10 @@ TEST(SteadyTone, IsNoneInNoiseAndDrift) {
     EXPECT_FALSE(steady_tone(x, rate)) << seed;
     x += VectorXd::LinSpaced(1200, 0.0, 50.0);
     EXPECT_FALSE(steady_tone(x, rate)) << seed;
+    // Two periods within the stretch.
+    EXPECT_FALSE(
+        steady_tone(x + 20.0 * tone(1200, 2.0 * rate / 1200.0, 0.0), rate))
+        << seed;
   }
 }
 
