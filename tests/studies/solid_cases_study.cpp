@@ -1,12 +1,14 @@
-// Hammer tests of plates whose truth is of solid elements and whose deck is of
-// shells, with something hidden in most of them.
+// Hammer tests of plates and frames whose truth is of solid elements and whose
+// deck is of shells or bars, with something hidden in most of them.
 //
 //   solid_cases_study FOLDER SEED [STRUCTURE]
 //
 // Makes a bundle with a truth.json for each case; a diagnosis of each is then
-// judged against it. Six structures: with a window, held at both ends, bent,
-// stepped, an L, tapered and twisted.
+// judged against it. Six plates: with a window, held at both ends, bent,
+// stepped, an L, tapered and twisted. Three frames: a portal, an arm with a
+// corner, a ladder.
 #include "tests/studies/solid_plate.hpp"
+#include "tests/studies/solid_structures.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
 
 #include <fmt/format.h>
@@ -29,77 +31,6 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Vector3d;
 using json = nlohmann::ordered_json;
-
-SolidPlate window() {
-  SolidPlate plate{"window", 15, 10, 0.02, 0.005, 205e9, 0.3, 7850.0};
-  plate.middle = [](double u, double v) {
-    return Vector3d(0.30 * u, 0.20 * v, 0.0);
-  };
-  plate.has_cell = [](int i, int j) {
-    return i < 6 || i > 10 || j < 3 || j > 6;
-  };
-  plate.is_held = [](int i, int) { return i == 0; };
-  plate.band_hz = {20.0, 900.0};
-  return plate;
-}
-
-SolidPlate bridge() {
-  SolidPlate plate{"bridge", 20, 6, 0.02, 0.006};
-  plate.middle = [](double u, double v) {
-    return Vector3d(0.40 * u, 0.12 * v, 0.0);
-  };
-  plate.is_held = [](int i, int) { return i == 0 || i == 20; };
-  plate.band_hz = {50.0, 1500.0};
-  return plate;
-}
-
-SolidPlate bent() {
-  SolidPlate plate{"bent", 12, 10, 0.021, 0.003};
-  plate.middle = [](double u, double v) {
-    const double angle = 0.36 * (u - 0.5);
-    return Vector3d(
-        0.7 * std::sin(angle), 0.21 * v, 0.7 * (std::cos(angle) - 1.0));
-  };
-  plate.is_held = [](int i, int) { return i == 0; };
-  plate.band_hz = {15.0, 700.0};
-  return plate;
-}
-
-SolidPlate step() {
-  SolidPlate plate{"step", 20, 4, 0.0175, 0.006, 205e9, 0.3, 7850.0};
-  plate.middle = [](double u, double v) {
-    return Vector3d(0.35 * u, 0.07 * v, 0.0);
-  };
-  plate.thicker = [](int i, int) { return i < 9 ? 1.6 : 1.0; };
-  plate.is_held = [](int i, int) { return i == 0; };
-  plate.band_hz = {20.0, 1800.0};
-  return plate;
-}
-
-SolidPlate ell() {
-  SolidPlate plate{"ell", 14, 14, 0.02, 0.004};
-  plate.middle = [](double u, double v) {
-    return Vector3d(0.28 * u, 0.28 * v, 0.0);
-  };
-  plate.has_cell = [](int i, int j) { return i < 5 || j < 5; };
-  plate.is_held = [](int, int j) { return j == 14; };
-  plate.band_hz = {10.0, 700.0};
-  return plate;
-}
-
-SolidPlate blade() {
-  SolidPlate plate{"blade", 18, 6, 0.018, 0.006, 110e9, 0.31, 4430.0};
-  plate.middle = [](double u, double v) {
-    const double chord = 0.11 - 0.05 * u;
-    const double y = chord * (v - 0.5);
-    const double twist = 0.30 * u;
-    return Vector3d(0.32 * u, y * std::cos(twist), y * std::sin(twist));
-  };
-  plate.thicker = [](int i, int) { return 1.2 - 0.03 * i; };
-  plate.is_held = [](int i, int) { return i == 0; };
-  plate.band_hz = {20.0, 1400.0};
-  return plate;
-}
 
 double mass_of(const SolidPlate& plate) {
   double volume = 0.0;
@@ -150,6 +81,8 @@ class Cases {
     pair.effects = more.effects;
     pair.truth.push_back(more.truth.front());
     cases.push_back(pair);
+    cases.push_back(absorber());
+    cases.push_back(crack());
     return cases;
   }
 
@@ -167,9 +100,7 @@ class Cases {
     while (true) {
       const int i = column(engine_);
       const int j = row(engine_);
-      const bool there =
-          !plate_.has_cell ||
-          (i < plate_.columns && j < plate_.rows && plate_.has_cell(i, j));
+      const bool there = !plate_.has_cell || has_cell(i, j);
       if (there && is_away(i, j)) return {i, j};
     }
   }
@@ -185,20 +116,62 @@ class Cases {
     return true;
   }
 
+  [[nodiscard]] bool has_cell(int i, int j) const {
+    return i >= 0 && j >= 0 && i < plate_.columns && j < plate_.rows &&
+           (!plate_.has_cell || plate_.has_cell(i, j));
+  }
+
   Case at_grid(const std::string& effect,
                const std::string& size,
-               double value) {
+               double value,
+               const std::string& more = {}) {
     const auto [i, j] = grid();
-    Case it{
-        effect,
-        {fmt::format("{}@{}={:.6g}", effect, grid_id(plate_, i, j), value)}};
+    const double middle = plate_.of_bars ? 0.5 : 0.0;
+    Case it{effect,
+            {fmt::format(
+                "{}@{}={:.6g}{}", effect, grid_id(plate_, i, j), value, more)}};
     it.truth.push_back({{"effect", effect},
                         {size, value},
-                        {"at", at(place_of(plate_, i, j))}});
+                        {"at", at(place_of(plate_, i + middle, j + middle))}});
     return it;
   }
 
+  // Tuned between the first mode and half as much again.
+  Case absorber() {
+    std::uniform_real_distribution<double> tuning(0.9, 1.6);
+    const double hz = tuning(engine_) * omega_ / (2.0 * std::numbers::pi);
+    return at_grid(
+        "absorber", "mass_kg", 0.03 * mass_, fmt::format(",{:.5g},0.02", hz));
+  }
+
+  // From an edge inwards, over a third of the rows there or half of a member.
+  Case crack() {
+    Case it{"crack"};
+    std::uniform_int_distribution<int> column(2, plate_.columns - 2);
+    while (true) {
+      const int i = column(engine_);
+      int first = 0;
+      while (first < plate_.rows &&
+             !(has_cell(i - 1, first) && has_cell(i, first))) {
+        ++first;
+      }
+      int last = first;
+      while (has_cell(i - 1, last) && has_cell(i, last)) ++last;
+      if (last == first) continue;
+      const int n = plate_.split;
+      const int solids = n * (last - first);
+      const int rows = plate_.of_bars ? solids / 2 : solids / 3;
+      const double middle = first + 0.5 * rows / n;
+      it.hidden.crack = {n * i, n * first, n * first + rows - 1};
+      it.truth.push_back(
+          {{"effect", "crack"}, {"at", at(place_of(plate_, i, middle))}});
+      return it;
+    }
+  }
+
+  // Of three cells in a row or a column of a frame, of three by three else.
   Case pocket() {
+    if (plate_.of_bars) return thin_member();
     Case it{"thinning"};
     std::uniform_int_distribution<int> column(1, plate_.columns - 4);
     std::uniform_int_distribution<int> row(0, std::max(0, plate_.rows - 3));
@@ -218,6 +191,23 @@ class Cases {
     return it;
   }
 
+  Case thin_member() {
+    std::uniform_int_distribution<int> turned(0, 1);
+    while (true) {
+      const auto [i, j] = grid();
+      const int di = turned(engine_);
+      const int dj = 1 - di;
+      if (!has_cell(i - di, j - dj) || !has_cell(i + di, j + dj)) continue;
+      Case it{"thinning"};
+      it.hidden.pocket = {i - di, i + di, j - dj, j + dj};
+      it.hidden.left = 0.7;
+      it.truth.push_back({{"effect", "thinning"},
+                          {"left", it.hidden.left},
+                          {"at", at(place_of(plate_, i + 0.5, j + 0.5))}});
+      return it;
+    }
+  }
+
   Case bed() {
     Case it{"soft-support"};
     const double span = plate_.columns * plate_.pitch;
@@ -226,11 +216,10 @@ class Cases {
     // sum k z^2 = bed t (2/3) (t/2)^2.
     const double t =
         plate_.thickness * (plate_.thicker ? plate_.thicker(0, 0) : 1.0);
-    it.truth.push_back({{"effect", "soft-support"},
-                        {"kind", "face"},
-                        {"reference",
-                         {{"rotational_stiffness_nm_per_rad_per_m",
-                           it.hidden.bed * t * t * t / 6.0}}}});
+    it.truth.push_back({{"effect", "soft-support"}, {"kind", "face"}});
+    if (plate_.of_bars) return it;  // it turns unlike about its two axes
+    it.truth.back()["reference"] = {{"rotational_stiffness_nm_per_rad_per_m",
+                                     it.hidden.bed * t * t * t / 6.0}};
     return it;
   }
 
@@ -255,10 +244,10 @@ VirtualBundleSpec spec_of(const SolidPlate& plate,
                           const Case& it,
                           const fs::path& decks,
                           unsigned seed) {
-  write(decks / "shells.bdf", shell_deck(plate));
+  write(decks / "model.bdf", engineers_deck(plate));
   write(decks / "solids.bdf", solid_deck(plate, it.hidden));
   VirtualBundleSpec spec;
-  spec.structure = decks / "shells.bdf";
+  spec.structure = decks / "model.bdf";
   spec.truth = decks / "solids.bdf";
   for (const std::string& text : it.effects) {
     spec.effects.push_back(parse_virtual_effect(text));
@@ -311,8 +300,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   unsigned seed = static_cast<unsigned>(std::atoi(argv[2]));
-  for (const SolidPlate& plate :
-       {window(), bridge(), bent(), step(), ell(), blade()}) {
+  for (const SolidPlate& plate : solid_structures()) {
     if (argc < 4 || plate.name == argv[3]) make(plate, argv[1], seed);
     seed += 100;
   }
