@@ -1,8 +1,8 @@
 #include "updating/diagnosis/model_form.hpp"
 
 #include "updating/fit/fitter.hpp"
+#include "updating/properties/line_mass.hpp"
 #include "updating/properties/section_shear.hpp"
-#include "updating/reduction/deck_forms.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/mesh/stiff_corners.hpp"
 
@@ -87,14 +87,17 @@ std::vector<ModelForm> model_form(const Fit& fit, const Deck& deck) {
   const std::vector<Correction>& known = fit.model->base().corrections;
   std::vector<ModelForm> found;
   for (std::size_t k = 0; k < known.size(); ++k) {
-    const bool shear = known[k].name == section_shear;
-    if (!shear && known[k].name != corner_stiffness) continue;
+    const std::string& name = known[k].name;
+    const bool corners = name == structure::corner_stiffness;
+    if (!corners && name != section_shear && name != line_mass) continue;
     std::optional<ModelForm> form = told(fit, k);
     if (!form) continue;
-    if (!shear) {
+    if (corners) {
       for (const auto& [id, share] : structure::inside_corners(deck)) {
         form->elements.push_back(id);
       }
+    }
+    if (name != section_shear) {
       found.push_back(*std::move(form));
       continue;
     }
@@ -110,17 +113,22 @@ std::vector<ModelForm> model_form(const Fit& fit, const Deck& deck) {
 }
 
 std::string statement(const ModelForm& form) {
-  const std::string what =
-      form.form == section_shear
-          ? fmt::format(
-                "PBAR {} has no K1 and K2, so that its bars do not "
-                "shear, but the structure does, as much as a solid "
-                "section times",
-                form.property)
-          : std::string(
-                "members bend up to where their lines cross, but in "
-                "the structure up to each other's face only; that "
-                "stiffening times");
+  std::string what;
+  if (form.form == section_shear) {
+    what = fmt::format(
+        "PBAR {} has no K1 and K2, so that its bars do not shear, but the "
+        "structure does, as much as a solid section times",
+        form.property);
+  } else if (form.form == line_mass) {
+    what =
+        "bars have their mass on lines, but the structure's sections resist "
+        "turning, and it has no material twice where members meet; that "
+        "times";
+  } else {
+    what =
+        "members bend up to where their lines cross, but in the structure up "
+        "to each other's face only; that stiffening times";
+  }
   return fmt::format(
       "the deck's form: {} {:.2g} ({:.2g} to {:.2g}; p = {:.2f}); it is fitted "
       "along",

@@ -26,7 +26,7 @@ namespace tapfit::updating {
 struct Fit;
 
 struct ModelForm {
-  std::string form;                ///< "section-shear", "corner-stiffness"
+  std::string form;                ///< "section-shear", "line-mass", ...
   int property = 0;                ///< of the bars that do not shear
   std::vector<int> elements = {};  ///< at the corners
   Estimate share = {};             ///< 0: the deck's; 1: see deck_forms.hpp

@@ -47,6 +47,8 @@ AssembledBase::AssembledBase(
                          : structure::RefinedDeck{deck, {}, {}}) {
   progress("model: assembling", 0.0);
   system = structure::assemble(mesh.deck);
+  std::vector<MassForm> forms;
+  if (options.split) forms = mass_forms(mesh.deck, system);
   if (const structure::SparseMatrix lent =
           regularising_mass(system, options.points, options.high_hz);
       lent.size() > 0) {
@@ -64,12 +66,14 @@ AssembledBase::AssembledBase(
   }
   shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   answers.emplace(system, motions, shift);
-  plain = nothing_released(system, uncertain_parts(mesh.deck, uncertain));
+  plain = nothing_released(
+      system, uncertain_parts(mesh.deck, uncertain), std::move(forms));
 }
 
 std::vector<FormModes> form_modes(const AssembledBase& model) {
   std::vector<FormModes> forms;
   for (DeckForm& form : deck_forms(model.mesh.deck)) {
+    if (form.of_mass) continue;
     const structure::System other = structure::assemble(form.deck);
     const structure::Eigenmodes found = structure::eigenmodes_up_to(
         model.motions.reduce(other.K),

@@ -42,7 +42,8 @@ struct AssembledBase {
   ReleasedSystem plain;  ///< the model with nothing released
 };
 
-/// Modes of the forms that the deck lacks, on the same mesh, at its own grids.
+/// Modes of the other forms that the deck lacks, on the same mesh, at its own
+/// grids.
 [[nodiscard]] std::vector<FormModes> form_modes(const AssembledBase& model);
 
 }  // namespace tapfit::updating

@@ -26,6 +26,9 @@ std::optional<Digest> base_key(const BaseContent& content) {
   digest.add(content.system.fixed);
   digest.add(content.system.inactive);
   digest.add(content.system.T);
+  for (const MassForm& form : content.forms) {
+    digest.add(form.M);
+  }
   for (const UncertainPart& part : content.parts) {
     digest.add(part.power);
     digest.add(part.K);

@@ -9,6 +9,7 @@
 
 #include "updating/cache/matrix_cache.hpp"
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/mass_forms.hpp"
 
 #include <Eigen/Core>
 
@@ -21,7 +22,7 @@ namespace tapfit::updating {
 struct SolvedBase {
   Eigen::VectorXd modes_hz;
   Eigen::MatrixXd modes;                ///< n x count, supports rigid
-  Eigen::MatrixXd V;                    ///< n x r, modes and static responses
+  Eigen::MatrixXd V;                    ///< n x r, modes, static responses
   Eigen::MatrixXd K;                    ///< r x r, diagonal
   std::vector<Eigen::MatrixXd> K_part;  ///< one per uncertain part, r x r
   std::vector<Eigen::MatrixXd> M_part;
@@ -31,6 +32,7 @@ struct SolvedBase {
 /// What a solved base follows from.
 struct BaseContent {
   const structure::System& system;
+  const std::vector<MassForm>& forms;
   const std::vector<UncertainPart>& parts;
   const std::vector<int>& points;  ///< ascending
   Eigen::Index free = 0;           ///< degrees of freedom that move

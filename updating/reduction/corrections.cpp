@@ -20,7 +20,8 @@ constexpr double edges_sd = 0.3;
 
 std::vector<CorrectionPart> corrections(const structure::Deck& deck,
                                         const MatrixXd& V,
-                                        const CorrectedModes& modes) {
+                                        const CorrectedModes& modes,
+                                        const std::vector<MassForm>& mass) {
   const auto in_base = [&V](const MatrixXd& of_modes) {
     MatrixXd whole = MatrixXd::Zero(V.cols(), V.cols());
     whole.topLeftCorner(of_modes.rows(), of_modes.cols()) = of_modes;
@@ -39,6 +40,10 @@ std::vector<CorrectionPart> corrections(const structure::Deck& deck,
     // What would have to be taken off to leave it out: the other way round.
     const MeshShift shift = mesh_shift(modes.split, form.modes);
     parts.push_back({form.correction, in_base(-shift.K), in_base(-shift.M)});
+  }
+  for (const MassForm& form : mass) {
+    parts.push_back(
+        {form.correction, in_base({}), V.transpose() * (form.M * V)});
   }
   return parts;
 }

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "updating/reduction/base_matrices.hpp"
+#include "updating/reduction/mass_forms.hpp"
 #include "updating/reduction/mesh_shift.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
@@ -46,10 +47,12 @@ struct CorrectedModes {
 
 /// @param deck the split one
 /// @param V dofs x r, the split modes first
-/// @return the mesh's first
+/// @param mass with the modes of the deck with all of them in V
+/// @return the mesh's first, those of mass last
 [[nodiscard]] std::vector<CorrectionPart> corrections(
     const structure::Deck& deck,
     const Eigen::MatrixXd& V,
-    const CorrectedModes& modes);
+    const CorrectedModes& modes,
+    const std::vector<MassForm>& mass);
 
 }  // namespace tapfit::updating

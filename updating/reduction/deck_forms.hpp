@@ -9,16 +9,15 @@
 
 namespace tapfit::updating {
 
-/// Its name in results; see stiff_corners.hpp.
-inline constexpr const char* corner_stiffness = "corner-stiffness";
-
 struct DeckForm {
   Correction correction;
   structure::Deck deck;
+  bool of_mass = false;  ///< alone
 };
 
-/// The shear of sections (section_shear.hpp) and corners as stiff as they are
-/// (stiff_corners.hpp), where the deck lacks them.
+/// The shear of sections (section_shear.hpp), corners as stiff as they are
+/// (stiff_corners.hpp) and the mass of sections (line_mass.hpp), where the deck
+/// lacks them.
 [[nodiscard]] std::vector<DeckForm> deck_forms(const structure::Deck& deck);
 
 }  // namespace tapfit::updating

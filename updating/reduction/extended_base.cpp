@@ -74,10 +74,13 @@ ReducedBase extended_base(const MatrixXd& V,
     base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));
     base.M_part.push_back(grow(fixed.M_part[k], parts[k].M));
   }
+  const std::vector<MassForm>& forms = *released.forms;
+  const std::size_t others = corrections.size() - forms.size();
   for (std::size_t k = 0; k < corrections.size(); ++k) {
     const std::size_t part = parts.size() + k;
     base.K_part.push_back(grow(fixed.K_part[part], corrections[k].beyond));
-    base.M_part.push_back(grow(fixed.M_part[part], {}));
+    base.M_part.push_back(grow(
+        fixed.M_part[part], k < others ? SparseMatrix() : forms[k - others].M));
   }
   MatrixXd left;
   if (!released.held.empty()) {

@@ -103,6 +103,7 @@ BaseBuilder::BaseBuilder(
   SolvedBase solved =
       kept_or_solved(options.cache,
                      {model.system,
+                      *model.plain.forms,
                       *model.plain.parts,
                       model.options.points,
                       model.motions.size(),
@@ -167,7 +168,8 @@ std::vector<Correction> BaseBuilder::hold_corrections(
                             m.wide.V,
                             {{modes, m.modes_hz},
                              {c.modes.topRows(known), c.modes_hz},
-                             form_modes(m.model)});
+                             form_modes(m.model)},
+                            *m.model.plain.forms);
   const std::size_t first = m.model.uncertain.size();
   const std::size_t all = first + m.corrected.size();
   for (std::vector<int>& power : fixed.part_power) power.resize(all, 0);

@@ -222,6 +222,11 @@ Triplets cut_joint(const RefinedDeck& mesh,
       with_joint(*released.M, structure::assemble_mass(mesh.deck, wanted), T));
   released.parts = shared(parts_with_joint(
       *released.parts, uncertain_parts(mesh.deck, uncertain, wanted), T));
+  std::vector<MassForm> forms = *released.forms;
+  for (MassForm& form : forms) {
+    form.M = with_joint(form.M, mass_of(form, mesh.deck, side), T);
+  }
+  released.forms = shared(std::move(forms));
   joints.push_back({side, std::move(T)});
   return springs;
 }
@@ -313,10 +318,12 @@ void ReleasedSystem::add_mass(const SparseMatrix& more) {
 }
 
 ReleasedSystem nothing_released(const structure::System& system,
-                                std::vector<UncertainPart> parts) {
+                                std::vector<UncertainPart> parts,
+                                std::vector<MassForm> forms) {
   return {shared(SparseMatrix(system.K)),
           shared(SparseMatrix(system.M)),
           shared(std::move(parts)),
+          shared(std::move(forms)),
           {},
           system.free_dofs()};
 }

@@ -13,6 +13,7 @@
 #pragma once
 
 #include "updating/properties/uncertain_parts.hpp"
+#include "updating/reduction/mass_forms.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 #include "updating/structure/mesh/refined_deck.hpp"
 #include "updating/structure/solve/system.hpp"
@@ -37,6 +38,8 @@ struct ReleasedSystem {
   std::shared_ptr<const structure::SparseMatrix> K;
   std::shared_ptr<const structure::SparseMatrix> M;
   std::shared_ptr<const std::vector<UncertainPart>> parts;
+  std::shared_ptr<const std::vector<MassForm>> forms =
+      std::make_shared<const std::vector<MassForm>>();
   std::vector<ScaledStiffness> scaled = {};  ///< change after change
   std::vector<int> active = {};  ///< degrees of freedom that can move
   /// Of the system's, those that are held besides (held_motions.hpp): K and M
@@ -49,8 +52,10 @@ struct ReleasedSystem {
 
 /// Nothing released.
 /// @param parts its uncertain parts, as from uncertain_parts()
+/// @param forms that it lacks
 [[nodiscard]] ReleasedSystem nothing_released(const structure::System& system,
-                                              std::vector<UncertainPart> parts);
+                                              std::vector<UncertainPart> parts,
+                                              std::vector<MassForm> forms = {});
 
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices

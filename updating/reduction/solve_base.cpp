@@ -12,6 +12,7 @@
 #include <Eigen/Eigenvalues>
 
 #include <utility>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -19,6 +20,38 @@ namespace {
 // What FRFs may be off the whole model's, and orders of responses tried for it.
 constexpr double exact_enough = 1e-6;
 constexpr std::size_t most_orders = 4;
+
+// Of a mode's mass, in what a form adds to its shape: less is rounding, or
+// twist that moves nothing else.
+constexpr double worth_holding = 1e-8;
+
+// What modes with the mass of all forms have beside those of the deck u: bars
+// on lines alone have no modes in which they twist.
+Eigen::MatrixXd shapes_of_forms(const AssembledBase& model,
+                                const Eigen::MatrixXd& u) {
+  if (model.plain.forms->empty()) return {};
+  structure::SparseMatrix M = model.system.M;
+  for (const MassForm& form : *model.plain.forms) {
+    M += form.M;
+  }
+  Eigen::MatrixXd beside = model.motions.expand(
+      structure::eigenmodes_up_to(model.motions.reduce(model.system.K),
+                                  model.motions.reduce(M),
+                                  model.options.reach * model.options.high_hz)
+          .phi);
+  const Eigen::MatrixXd inside =
+      u.transpose() * structure::symmetric_product(model.system.M, beside);
+  beside -= u * inside;
+  const Eigen::VectorXd mass =
+      beside.cwiseProduct(structure::symmetric_product(model.system.M, beside))
+          .colwise()
+          .sum();
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < mass.size(); ++k) {
+    if (mass(k) > worth_holding) kept.push_back(k);
+  }
+  return beside(Eigen::all, kept);
+}
 
 }  // namespace
 
@@ -43,14 +76,17 @@ SolvedBase solve_base(const AssembledBase& model,
   }
   progress("model: residual flexibility", 0.8);
   const Eigen::MatrixXd u = motions.expand(solved.modes);
+  const Eigen::MatrixXd formed = shapes_of_forms(model, u);
   Eigen::MatrixXd& V = solved.V;
   // Two with modes to four times the band leave a smaller basis than three with
   // modes to three times it.
   for (std::size_t orders = 2; orders <= most_orders; ++orders) {
-    V = join(
-        {u,
-         m_orthogonal_complement(
-             system.M, u, model.answers->to_points(options.points, orders))});
+    V = join({u,
+              m_orthogonal_complement(
+                  system.M,
+                  u,
+                  join({model.answers->to_points(options.points, orders),
+                        formed}))});
     if (V.cols() == 0) {
       throw InputError("no mode is in reach of the band, no point moves",
                        deck.path.string(),

@@ -103,6 +103,7 @@ TEST_F(ModelFormTest, StandsInTheUpdatedDeck) {
 
 constexpr std::size_t shear_at = 2;  // behind E and the mesh
 constexpr std::size_t corner_at = 3;
+constexpr std::size_t mass_at = 4;
 
 // A fit that ended with these ln f, each known to sd.
 class ToldForm : public ::testing::Test {
@@ -118,11 +119,12 @@ class ToldForm : public ::testing::Test {
     frame_.reset();
   }
 
-  static Fit fit_of(double shear, double corner, double sd) {
+  static Fit fit_of(double shear, double corner, double sd, double mass = 0.0) {
     Fit fit;
     fit.model = model_;
-    fit.result.state.factor = {1.0, 1.0, std::exp(shear), std::exp(corner)};
-    fit.result.covariance = sd * sd * Eigen::MatrixXd::Identity(4, 4);
+    fit.result.state.factor = {
+        1.0, 1.0, std::exp(shear), std::exp(corner), std::exp(mass)};
+    fit.result.covariance = sd * sd * Eigen::MatrixXd::Identity(5, 5);
     fit.result.error = 0.012;
     return fit;
   }
@@ -205,6 +207,20 @@ TEST_F(ToldForm, HoldsSizeCardAndElements) {
   EXPECT_NEAR(corner.share.value, 0.5, 1e-12);
   EXPECT_TRUE(corner.card.empty());
   EXPECT_THAT(statement(corner), HasSubstr("up to each other's face"));
+}
+
+// The whole structure's: no card and no element of its own.
+TEST_F(ToldForm, SaysThatMassLiesOnLines) {
+  ASSERT_EQ(before(mass_at).name, "line-mass");
+  const std::vector<ModelForm> form =
+      model_form(fit_of(0.0, 0.0, 0.05, std::log(2.0)), frame_->deck);
+  ASSERT_EQ(form.size(), 1U);
+  EXPECT_EQ(form[0].form, "line-mass");
+  EXPECT_NEAR(form[0].share.value, 1.0, 1e-12);
+  EXPECT_EQ(form[0].property, 0);
+  EXPECT_TRUE(form[0].elements.empty());
+  EXPECT_TRUE(form[0].card.empty());
+  EXPECT_THAT(statement(form[0]), HasSubstr("mass on lines"));
 }
 
 // In the place of the deck's own card it is the same section that shears.

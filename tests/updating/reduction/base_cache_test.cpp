@@ -86,7 +86,8 @@ TEST_F(KeptBaseTest, IsSolvedForOnce) {
                       0.25};
   };
   const auto ask = [&](double high_hz) {
-    return kept_or_solved(cache_, {system, {}, points, n, high_hz, 4.0}, solve);
+    return kept_or_solved(
+        cache_, {system, {}, {}, points, n, high_hz, 4.0}, solve);
   };
   const SolvedBase first = ask(100.0);
   EXPECT_EQ(ask(100.0).V, first.V);

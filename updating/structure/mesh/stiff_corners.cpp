@@ -73,10 +73,20 @@ std::vector<Member> members(const Deck& deck) {
 struct Zone {
   Vector3d from, along;
   double length = 0.0;
+  bool in_through = false;  // the others go on at the other side
 };
 
+using Meeting = std::vector<std::pair<const Member*, Vector3d>>;
+
+bool goes_on(const Meeting& meeting, const Vector3d& away) {
+  return std::ranges::any_of(meeting, [&](const auto& other) {
+    return other.second.dot(away) < 0.0 &&
+           other.second.cross(away).norm() < corner_sine;
+  });
+}
+
 std::vector<Zone> zones(const std::vector<Member>& all) {
-  std::map<int, std::vector<std::pair<const Member*, Vector3d>>> at_grid;
+  std::map<int, Meeting> at_grid;
   for (const Member& m : all) {
     at_grid[m.bar->grids[0]].emplace_back(&m, m.x);
     at_grid[m.bar->grids[1]].emplace_back(&m, -m.x);
@@ -84,24 +94,30 @@ std::vector<Zone> zones(const std::vector<Member>& all) {
   std::vector<Zone> result;
   for (const auto& [grid, meeting] : at_grid) {
     for (const auto& [own, away] : meeting) {
+      if (goes_on(meeting, away)) continue;
       double inside = 0.0;
+      bool in_through = false;
       for (const auto& [other, direction] : meeting) {
         const double sine = away.cross(direction).norm();
         if (sine < corner_sine) continue;
         inside = std::max(inside, other->reach(away) / sine);
+        in_through = in_through || goes_on(meeting, direction);
       }
       if (inside <= 0.0) continue;
       const bool first = own->bar->grids[0] == grid;
-      result.push_back({own->ends.at(first ? 0 : 1), away, inside});
+      result.push_back({own->ends.at(first ? 0 : 1), away, inside, in_through});
     }
   }
   return result;
 }
 
 // Finer meshes than the zones are long have several bars in one.
-void add_bars(const Deck& deck, std::map<int, double>& shares) {
+void add_bars(const Deck& deck,
+              bool in_through,
+              std::map<int, double>& shares) {
   const std::vector<Member> all = members(deck);
   for (const Zone& zone : zones(all)) {
+    if (in_through && !zone.in_through) continue;
     for (const Member& m : all) {
       const Vector3d middle = 0.5 * (m.ends[0] + m.ends[1]) - zone.from;
       const double at = middle.dot(zone.along);
@@ -207,9 +223,34 @@ Property& copied(std::map<int, Property>& properties, int id) {
 
 std::map<int, double> inside_corners(const Deck& deck) {
   std::map<int, double> shares;
-  add_bars(deck, shares);
+  add_bars(deck, false, shares);
   add_shells(deck, shares);
   return shares;
+}
+
+std::map<int, double> counted_twice(const Deck& deck) {
+  std::map<int, double> shares;
+  add_bars(deck, true, shares);
+  return shares;
+}
+
+Deck with_mass_once(Deck deck, const std::map<int, double>& twice) {
+  std::map<std::pair<int, double>, int> bars;
+  for (Bar& bar : deck.bars) {
+    const auto found = twice.find(bar.id);
+    if (found == twice.end()) continue;
+    const double left = 1.0 / factor_of(found->second);
+    const auto [it, fresh] = bars.try_emplace({bar.property, left}, 0);
+    if (fresh) {
+      BarProperty& p = copied(deck.bar_properties, bar.property);
+      Material& m = copied(deck.materials, p.material);
+      m.rho *= left;
+      p.material = m.id;
+      it->second = p.id;
+    }
+    bar.property = it->second;
+  }
+  return deck;
 }
 
 Deck with_stiff_corners(Deck deck, const std::map<int, double>& inside) {
@@ -223,6 +264,7 @@ Deck with_stiff_corners(Deck deck, const std::map<int, double>& inside) {
     if (fresh) {
       BarProperty& p = copied(deck.bar_properties, bar.property);
       p.material = stiffer.material(p.material, factor);
+      p.J /= factor;
       it->second = p.id;
     }
     bar.property = it->second;

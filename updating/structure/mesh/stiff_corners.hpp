@@ -5,9 +5,11 @@
 //   k -> k / (1 - s),   s the share of an element's length (of a shell's width)
 //                       that lies inside the other members
 //
-// A bar ends half the other one's depth, sqrt(3 I / A) of a rectangle, before
-// the crossing; a shell half the other one's thickness before the fold, in
-// bending.
+// A bar that ends there ends half the other one's depth, sqrt(3 I / A) of a
+// rectangle, before the crossing; it twists up to the crossing, and one that
+// goes on bends as before. A shell ends half the other one's thickness before
+// the fold, in bending. Where a bar ends inside one that goes on, its material
+// is counted twice: its mass there is too much.
 // Source: rigid end offsets of frame analysis, e.g. W. McGuire, R. H.
 // Gallagher, R. D. Ziemian, "Matrix Structural Analysis", 2nd ed., 2000,
 // ch. 13.
@@ -19,8 +21,19 @@
 
 namespace tapfit::structure {
 
+/// Its name as a correction of the model and in results.
+inline constexpr const char* corner_stiffness = "corner-stiffness";
+
 /// Elements that lie partly inside others: id and share s, 0.9 at most.
 [[nodiscard]] std::map<int, double> inside_corners(const Deck& deck);
+
+/// Bars whose mass is counted twice, and the share of it.
+[[nodiscard]] std::map<int, double> counted_twice(const Deck& deck);
+
+/// The deck without that mass; what is no material's stays.
+/// @param twice from counted_twice()
+[[nodiscard]] Deck with_mass_once(Deck deck,
+                                  const std::map<int, double>& twice);
 
 /// The deck with these elements stiffer, on properties and materials of their
 /// own; masses stay.

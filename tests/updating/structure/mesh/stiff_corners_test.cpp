@@ -99,6 +99,52 @@ TEST(StiffCorners, StiffenAsRigidArmsDo) {
   }
 }
 
+// A member of square bar along x, and one that ends at its middle; `beyond`
+// goes on at the other side.
+Deck meeting(bool beyond) {
+  std::string text = "BEGIN BULK\nPARAM,COUPMASS,1\n";
+  text += "GRID,1,,-.1,0.,0.\nGRID,2,,0.,0.,0.\nGRID,3,,.1,0.,0.\n";
+  text += "GRID,4,,0.,.025,0.\nGRID,5,,0.,-.025,0.\n";
+  text += "CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,3,0.,0.,1.\n";
+  text += "CBAR,3,1,2,4,0.,0.,1.\n";
+  if (beyond) text += "CBAR,4,1,5,2,0.,0.,1.\n";
+  text += fmt::format("PBAR,1,1,{0},{1},{1},2e-8,3.\n",
+                      depth * depth,
+                      std::pow(depth, 4) / 12.0);
+  return deck_of(text + "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n");
+}
+
+TEST(StiffCorners, LeaveBarsThatGoOnAsTheyAre) {
+  const std::map<int, double> inside = inside_corners(meeting(false));
+  ASSERT_EQ(inside.size(), 1U);
+  EXPECT_NEAR(inside.at(3), 0.5 * depth / 0.025, 1e-12);
+  EXPECT_TRUE(inside_corners(meeting(true)).empty());
+}
+
+TEST(StiffCorners, LetBarsTwistUpToTheCrossing) {
+  const Deck plain = two_legs(90.0, 0.0);
+  const Deck stiff = with_stiff_corners(plain, inside_corners(plain));
+  for (const Bar& bar : stiff.bars) {
+    const BarProperty& p = stiff.bar_properties.at(bar.property);
+    const double GJ = stiff.materials.at(p.material).G * p.J;
+    EXPECT_NEAR(GJ, plain.materials.at(1).G * 2e-8, 1e-9 * GJ) << bar.id;
+  }
+}
+
+// Members that end in each other fill their corner once; one that ends inside
+// another counts half the other's depth twice; mass that is no material's
+// stays.
+TEST(StiffCorners, WeighMaterialOnce) {
+  EXPECT_TRUE(counted_twice(two_legs(90.0, 0.0)).empty());
+  const Deck deck = meeting(false);
+  const std::map<int, double> twice = counted_twice(deck);
+  ASSERT_EQ(twice.size(), 1U);
+  const Deck once = with_mass_once(deck, twice);
+  const double lost =
+      total_mass(deck, assemble(deck)) - total_mass(once, assemble(once));
+  EXPECT_NEAR(lost, 7850.0 * depth * depth * 0.5 * depth, 1e-3 * lost);
+}
+
 // Two strips of shells that meet at a right angle: the row beside the fold lies
 // inside by half the thickness; its mass and plane stiffness stay.
 TEST(StiffCorners, ShellsBendUpToTheOthersFace) {
