@@ -49,8 +49,7 @@ double rms(const VectorXcd& H) {
 }
 
 // Poles that the runs other than `run` show.
-VectorXcd shown_by_others(const FrfSet& set,
-                          const Runs& runs,
+VectorXcd shown_by_others(const Runs& runs,
                           std::size_t run,
                           const std::vector<ModalConstants>& all,
                           const VectorXcd& poles,
@@ -322,8 +321,7 @@ std::vector<ForeignRun> foreign_runs(const FrfSet& set,
   std::vector<ForeignRun> each;
   std::vector<double> shares;
   for (const auto& [run, frfs] : runs) {
-    const VectorXcd others =
-        shown_by_others(set, runs, run, all, poles, limits);
+    const VectorXcd others = shown_by_others(runs, run, all, poles, limits);
     shares.push_back(
         left_in(frfs, modal_constants(part_of(set, frfs), others, false)));
     each.push_back({run, shares.back(), 0.0});

@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(Readers,
                                            Reader{"session", &fuzz_session},
                                            Reader{"table", &fuzz_table},
                                            Reader{"uff", &fuzz_uff}),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& reader) { return reader.param.name; });
 
 }  // namespace
 }  // namespace tapfit::fuzz

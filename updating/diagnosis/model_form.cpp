@@ -122,7 +122,7 @@ std::string statement(const ModelForm& form) {
   } else if (form.form == line_mass) {
     what =
         "bars have their mass on lines, but the structure's sections resist "
-        "turning, and it has no material twice where members meet; that "
+        "turning, and its material is there once where members meet; that "
         "times";
   } else {
     what =

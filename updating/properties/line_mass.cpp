@@ -24,12 +24,11 @@ bool has_line_mass(const structure::Deck& deck) {
       std::ranges::any_of(deck.bars, [&](const structure::Bar& bar) {
         return !bar.rotary_inertia && has_mass(deck, bar);
       });
-  return on_lines || !structure::counted_twice(deck).empty();
+  return on_lines || !structure::misplaced_mass(deck).empty();
 }
 
 structure::Deck without_line_mass(structure::Deck deck) {
-  const auto twice = structure::counted_twice(deck);
-  deck = structure::with_mass_once(std::move(deck), twice);
+  deck = structure::with_placed_mass(std::move(deck));
   for (structure::Bar& bar : deck.bars) bar.rotary_inertia = true;
   return deck;
 }

@@ -71,9 +71,12 @@ std::vector<Member> members(const Deck& deck) {
 // Where a line of bars leaves a crossing, and how far it runs inside the
 // others.
 struct Zone {
+  int grid = 0;
+  const Member* own = nullptr;
   Vector3d from, along;
   double length = 0.0;
   bool in_through = false;  // the others go on at the other side
+  std::size_t meeting = 0;  // how many members
 };
 
 using Meeting = std::vector<std::pair<const Member*, Vector3d>>;
@@ -105,31 +108,40 @@ std::vector<Zone> zones(const std::vector<Member>& all) {
       }
       if (inside <= 0.0) continue;
       const bool first = own->bar->grids[0] == grid;
-      result.push_back({own->ends.at(first ? 0 : 1), away, inside, in_through});
+      result.push_back({grid,
+                        own,
+                        own->ends.at(first ? 0 : 1),
+                        away,
+                        inside,
+                        in_through,
+                        meeting.size()});
     }
   }
   return result;
 }
 
-// Finer meshes than the zones are long have several bars in one.
-void add_bars(const Deck& deck,
-              bool in_through,
-              std::map<int, double>& shares) {
+// The bars in a zone and their shares of it: finer meshes than the zones are
+// long have several in one.
+std::vector<std::pair<const Member*, double>> bars_in(
+    const Zone& zone, const std::vector<Member>& all) {
+  std::vector<std::pair<const Member*, double>> inside;
+  for (const Member& m : all) {
+    const Vector3d middle = 0.5 * (m.ends[0] + m.ends[1]) - zone.from;
+    const double at = middle.dot(zone.along);
+    const bool on_line = (middle - at * zone.along).norm() < 1e-3 * m.length &&
+                         std::abs(m.x.dot(zone.along)) > 1.0 - 1e-6;
+    const double start = at - 0.5 * m.length;
+    if (!on_line || start < -1e-6 * m.length || start >= zone.length) continue;
+    inside.emplace_back(&m, std::min(zone.length - start, m.length) / m.length);
+  }
+  return inside;
+}
+
+void add_bars(const Deck& deck, std::map<int, double>& shares) {
   const std::vector<Member> all = members(deck);
   for (const Zone& zone : zones(all)) {
-    if (in_through && !zone.in_through) continue;
-    for (const Member& m : all) {
-      const Vector3d middle = 0.5 * (m.ends[0] + m.ends[1]) - zone.from;
-      const double at = middle.dot(zone.along);
-      const bool on_line =
-          (middle - at * zone.along).norm() < 1e-3 * m.length &&
-          std::abs(m.x.dot(zone.along)) > 1.0 - 1e-6;
-      const double start = at - 0.5 * m.length;
-      if (!on_line || start < -1e-6 * m.length || start >= zone.length)
-        continue;
-      add_share(shares,
-                m.bar->id,
-                std::min(zone.length - start, m.length) / m.length);
+    for (const auto& [m, share] : bars_in(zone, all)) {
+      add_share(shares, m->bar->id, share);
     }
   }
 }
@@ -182,6 +194,62 @@ void add_shells(const Deck& deck, std::map<int, double>& shares) {
   }
 }
 
+// Material that is there once, or elsewhere: a member that ends inside one that
+// goes on, and two that end in each other. These fill a block about the
+// crossing, but their lines one quarter of it twice and one not at all.
+bool is_misplaced(const Zone& zone) {
+  return zone.in_through || zone.meeting == 2;
+}
+
+// rho A of a bar [kg/m].
+double line_density(const Deck& deck, const Bar& bar) {
+  const BarProperty& p = deck.bar_properties.at(bar.property);
+  const auto material = deck.materials.find(p.material);
+  return material == deck.materials.end() ? 0.0 : material->second.rho * p.area;
+}
+
+// The block of two zones at a grid, as heavy as what is taken off their bars.
+PointMass corner_block(const Zone& a, const Zone& b, double mass) {
+  const Vector3d n = a.along.cross(b.along).normalized();
+  Eigen::Matrix3d axes;
+  axes << a.along, n.cross(a.along), n;
+  const double across = a.own->reach(n) + b.own->reach(n);
+  const Vector3d square =
+      Vector3d(2.0 * a.length, 2.0 * b.length, across).cwiseAbs2();
+  PointMass block;
+  block.grid = a.grid;
+  block.mass = mass;
+  block.inertia =
+      axes *
+      (mass / 12.0 * (Vector3d::Constant(square.sum()) - square)).asDiagonal() *
+      axes.transpose();
+  return block;
+}
+
+std::vector<PointMass> corner_blocks(const Deck& deck,
+                                     const std::map<int, double>& shares) {
+  const std::vector<Member> all = members(deck);
+  std::map<int, std::vector<Zone>> corners;
+  for (const Zone& zone : zones(all)) {
+    if (is_misplaced(zone) && !zone.in_through) {
+      corners[zone.grid].push_back(zone);
+    }
+  }
+  std::vector<PointMass> blocks;
+  for (const auto& [grid, two] : corners) {
+    if (two.size() != 2) continue;
+    double mass = 0.0;
+    for (const Zone& zone : two) {
+      for (const auto& [m, share] : bars_in(zone, all)) {
+        mass += std::min(share, shares.at(m->bar->id)) * m->length *
+                line_density(deck, *m->bar);
+      }
+    }
+    if (mass > 0.0) blocks.push_back(corner_block(two[0], two[1], mass));
+  }
+  return blocks;
+}
+
 // A material with its moduli multiplied, kept by what it was made of.
 class Stiffer {
  public:
@@ -223,23 +291,37 @@ Property& copied(std::map<int, Property>& properties, int id) {
 
 std::map<int, double> inside_corners(const Deck& deck) {
   std::map<int, double> shares;
-  add_bars(deck, false, shares);
+  add_bars(deck, shares);
   add_shells(deck, shares);
   return shares;
 }
 
-std::map<int, double> counted_twice(const Deck& deck) {
+std::map<int, double> misplaced_mass(const Deck& deck) {
+  const std::vector<Member> all = members(deck);
   std::map<int, double> shares;
-  add_bars(deck, true, shares);
+  for (const Zone& zone : zones(all)) {
+    if (!is_misplaced(zone)) continue;
+    for (const auto& [m, share] : bars_in(zone, all)) {
+      add_share(shares, m->bar->id, share);
+    }
+  }
   return shares;
 }
 
-Deck with_mass_once(Deck deck, const std::map<int, double>& twice) {
+Deck with_placed_mass(Deck deck) {
+  const std::map<int, double> shares = misplaced_mass(deck);
+  std::vector<PointMass> blocks = corner_blocks(deck, shares);
+  int id = 0;
+  for (const PointMass& mass : deck.masses) id = std::max(id, mass.id);
+  for (PointMass& block : blocks) {
+    block.id = ++id;
+    deck.masses.push_back(std::move(block));
+  }
   std::map<std::pair<int, double>, int> bars;
   for (Bar& bar : deck.bars) {
-    const auto found = twice.find(bar.id);
-    if (found == twice.end()) continue;
-    const double left = 1.0 / factor_of(found->second);
+    const auto found = shares.find(bar.id);
+    if (found == shares.end()) continue;
+    const double left = 1.0 - found->second;
     const auto [it, fresh] = bars.try_emplace({bar.property, left}, 0);
     if (fresh) {
       BarProperty& p = copied(deck.bar_properties, bar.property);

@@ -131,18 +131,35 @@ TEST(StiffCorners, LetBarsTwistUpToTheCrossing) {
   }
 }
 
-// Members that end in each other fill their corner once; one that ends inside
-// another counts half the other's depth twice; mass that is no material's
-// stays.
+// A member that ends inside another counts half the other's depth twice; mass
+// that is no material's stays.
 TEST(StiffCorners, WeighMaterialOnce) {
-  EXPECT_TRUE(counted_twice(two_legs(90.0, 0.0)).empty());
   const Deck deck = meeting(false);
-  const std::map<int, double> twice = counted_twice(deck);
-  ASSERT_EQ(twice.size(), 1U);
-  const Deck once = with_mass_once(deck, twice);
+  const Deck once = with_placed_mass(deck);
   const double lost =
       total_mass(deck, assemble(deck)) - total_mass(once, assemble(once));
   EXPECT_NEAR(lost, 7850.0 * depth * depth * 0.5 * depth, 1e-3 * lost);
+  EXPECT_TRUE(misplaced_mass(meeting(true)).empty());
+  EXPECT_TRUE(misplaced_mass(two_legs(0.0, 0.0)).empty());
+}
+
+// Two that end in each other weigh what they did, as a cube about the crossing:
+// M about it is that of the cube and of legs that begin at its faces.
+TEST(StiffCorners, PutABlockWhereTwoMembersEnd) {
+  const Deck deck = two_legs(90.0, 0.0);
+  const Deck placed = with_placed_mass(deck);
+  const double whole = total_mass(deck, assemble(deck));
+  EXPECT_NEAR(total_mass(placed, assemble(placed)), whole, 1e-6 * whole);
+  ASSERT_EQ(placed.masses.size(), 1U);
+  const PointMass& block = placed.masses[0];
+  const double cube = 7850.0 * depth * depth * depth;
+  EXPECT_EQ(block.grid, per_leg + 1);
+  EXPECT_NEAR(block.mass, cube, 1e-9);
+  EXPECT_LT(
+      (block.inertia - cube * depth * depth / 6.0 * Eigen::Matrix3d::Identity())
+          .norm(),
+      1e-9 * cube * depth * depth);
+  EXPECT_TRUE(block.offset.isZero());
 }
 
 // Two strips of shells that meet at a right angle: the row beside the fold lies
