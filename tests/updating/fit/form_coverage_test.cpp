@@ -148,7 +148,7 @@ TEST(FormCoverage, IntervalsHold) {
   constexpr std::uint64_t draws = 20;
   const support::BasedFrame base;
   ASSERT_EQ(base.corrections.size(), 4U);
-  std::vector<int> inside(4, 0);
+  std::vector<int> inside(1 + base.corrections.size(), 0);  // E first
   for (std::uint64_t seed = 1; seed <= draws; ++seed) {
     SeededRandom random(seed, "frame");
     const std::vector<double> truth = draw_factors(base, random);
