@@ -51,6 +51,7 @@ std::vector<SensorSetUp> set_ups_of(const signal::FrfSet& set,
       ++row;
     }
     set_up.runs.push_back(run);
+    set_up.poles = poles;
     set_up.z.push_back(std::move(z));
     set_up.sd.push_back(std::move(sd));
   }
@@ -135,6 +136,53 @@ Finding gain_finding(const acquisition::TestBundle& bundle,
                       turned ? -factor : factor)};
 }
 
+// Of an integral and a derivative, and of a sensor that is late.
+Finding law_finding(const acquisition::TestBundle& bundle,
+                    const SensorSetUp& set_up,
+                    const Change& change) {
+  const SensorPattern& pattern = change.patterns.front();
+  const std::string who = name_of(bundle, set_up, pattern.sensor);
+  const std::string other = against(bundle, set_up, pattern.sensor);
+  const SensorLaw& law = pattern.law;
+  const Subject where{change.runs, who, {}, {}};
+  if (law.power == 0) {
+    return {Severity::Error,
+            where,
+            fmt::format("{} is {:.3g} ms {} {} in every mode, which it is not "
+                        "in the other runs",
+                        who,
+                        1e3 * std::abs(law.delay_s),
+                        law.delay_s > 0.0 ? "behind" : "before",
+                        other),
+            fmt::format("{} is late: another filter or another recorder's "
+                        "clock in these runs",
+                        law.delay_s > 0.0 ? who : other),
+            fmt::format("take {} out of `sensors` of these runs, or shift its "
+                        "samples",
+                        who)};
+  }
+  const bool integrated = law.power < 0;
+  const std::string times = std::abs(law.power) == 1 ? "once" : "twice";
+  const std::string quantity =
+      std::abs(law.power) == 1 ? "velocity" : "displacement";
+  return {Severity::Error,
+          where,
+          fmt::format("{} against {} is {} {} in these runs, mode by mode",
+                      who,
+                      other,
+                      integrated ? "integrated" : "differentiated",
+                      times),
+          fmt::format("{} measured {} in these runs, or was integrated by its "
+                      "amplifier",
+                      integrated ? who : other,
+                      quantity),
+          fmt::format("list {} a second time in `channels` with \"quantity\": "
+                      "\"{}\" and its unit and use that channel in these runs, "
+                      "or take it out of their `sensors`",
+                      integrated ? who : other,
+                      quantity)};
+}
+
 Finding moved_finding(const acquisition::TestBundle& bundle,
                       const SensorSetUp& set_up,
                       const Change& change) {
@@ -159,7 +207,9 @@ Finding moved_finding(const acquisition::TestBundle& bundle,
 }
 
 bool same_factor(const SensorPattern& a, const SensorPattern& b) {
-  return a.sensor == b.sensor &&
+  return a.sensor == b.sensor && a.law.power == b.law.power &&
+         std::abs(a.law.delay_s - b.law.delay_s) <=
+             0.1 * std::abs(a.law.delay_s) &&
          std::abs(a.factor - b.factor) < 0.1 * std::abs(a.factor);
 }
 
@@ -191,7 +241,9 @@ std::vector<Finding> findings_in(const acquisition::TestBundle& bundle,
   std::vector<Finding> findings;
   for (const Change& change : by_factor) {
     if (change.scatter() <= limits.scatter) {
-      findings.push_back(gain_finding(bundle, set_up, change));
+      const bool gain = change.patterns.front().law.is_plain();
+      findings.push_back(gain ? gain_finding(bundle, set_up, change)
+                              : law_finding(bundle, set_up, change));
       continue;
     }
     std::ranges::copy(change.runs, std::back_inserter(moved.runs));

@@ -125,7 +125,7 @@ complex factor_on(Index sensor, const MatrixXcd& z, const VectorXcd& seen) {
                       : complex(1.0);
 }
 
-// Whether the modes, each by itself, ask for that factor.
+// How far the modes, each by itself, ask for that factor.
 void compare_modes(const MatrixXcd& z,
                    const Predicted& by,
                    const RunResidueLimits& limits,
@@ -143,31 +143,103 @@ void compare_modes(const MatrixXcd& z,
   found.scatter = std::sqrt(sum / std::max(found.modes, 1));
 }
 
-SensorPattern look_at(const MatrixXcd& z,
-                      const MatrixXd& sd,
-                      const MatrixXcd& patterns,
-                      const RunResidueLimits& limits) {
-  SensorPattern found;
-  found.error = pattern_error(z, sd, patterns);
-  found.noise = std::numbers::sqrt2 * sd.norm() / z.norm();
-  found.left = found.error;
-  for (Index c = 0; c < z.rows(); ++c) {
-    const complex factor = factor_on(c, z, predict(c, z, sd, patterns).seen);
-    if (std::abs(factor) < 1e-6) continue;
-    MatrixXcd corrected = z;
-    MatrixXd noise = sd;
-    corrected.row(c) /= factor;
-    noise.row(c) /= std::abs(factor);
-    const double left = pattern_error(corrected, noise, patterns);
-    if (left >= found.left) continue;
-    found.left = left;
-    found.sensor = static_cast<std::size_t>(c);
-    found.factor = factor;
-  }
-  const auto sensor = static_cast<Index>(found.sensor);
-  compare_modes(z, predict(sensor, z, sd, patterns), limits, found);
-  return found;
+/// A run's modal constants with one law of one sensor taken off.
+struct Corrected {
+  MatrixXcd z;
+  MatrixXd sd;
+};
+
+Corrected without(const MatrixXcd& z,
+                  const MatrixXd& sd,
+                  Index sensor,
+                  const VectorXcd& factors) {
+  Corrected result{z, sd};
+  result.z.row(sensor).array() /= factors.transpose().array();
+  result.sd.row(sensor).array() /= factors.cwiseAbs().transpose().array();
+  return result;
 }
+
+class RunPattern {
+ public:
+  RunPattern(const SensorSetUp& set_up,
+             std::size_t run,
+             const MatrixXcd& patterns,
+             const RunResidueLimits& limits)
+      : z_(set_up.z[run]),
+        sd_(set_up.sd[run]),
+        poles_(set_up.poles),
+        patterns_(patterns),
+        limits_(limits) {
+    plain_.error = pattern_error(z_, sd_, patterns_);
+    plain_.noise = std::numbers::sqrt2 * sd_.norm() / z_.norm();
+    plain_.left = plain_.error;
+  }
+
+  // One factor on one sensor, unless another law says far more.
+  [[nodiscard]] SensorPattern best() const {
+    SensorPattern found = plain_;
+    for (Index c = 0; c < z_.rows(); ++c) {
+      const SensorPattern tried = with(c, {});
+      if (tried.left < found.left) found = tried;
+    }
+    found.modes = 0;
+    compare(found);
+    SensorPattern by_law = found;
+    by_law.left *= limits_.one_factor;
+    for (Index c = 0; c < z_.rows(); ++c) {
+      const VectorXcd seen = predict(c, z_, sd_, patterns_).seen;
+      for (const SensorLaw& law :
+           laws_that_explain(z_.row(c).transpose(), seen, poles_)) {
+        SensorPattern tried = with(c, law);
+        if (tried.left >= by_law.left || !is_real(tried.factor)) continue;
+        compare(tried);
+        const bool told = tried.modes >= limits_.fewest_modes_of_law &&
+                          tried.scatter <= limits_.scatter;
+        if (told) by_law = tried;
+      }
+    }
+    return by_law.law.is_plain() ? found : by_law;
+  }
+
+ private:
+  // An amplifier has no phase, a sensor at another point none that is common.
+  static bool is_real(const complex& factor) {
+    constexpr double most_phase = 0.2;
+    return std::abs(factor.imag()) <= most_phase * std::abs(factor.real());
+  }
+
+  [[nodiscard]] SensorPattern with(Index sensor, const SensorLaw& law) const {
+    SensorPattern tried = plain_;
+    const VectorXcd shape = law.factors(poles_);
+    const Corrected by_law = without(z_, sd_, sensor, shape);
+    const complex factor = factor_on(
+        sensor, by_law.z, predict(sensor, by_law.z, by_law.sd, patterns_).seen);
+    if (std::abs(factor) < 1e-6) return tried;
+    const Corrected all = without(z_, sd_, sensor, factor * shape);
+    tried.left = pattern_error(all.z, all.sd, patterns_);
+    tried.sensor = static_cast<std::size_t>(sensor);
+    tried.factor = factor;
+    tried.law = law;
+    return tried;
+  }
+
+  void compare(SensorPattern& found) const {
+    const auto sensor = static_cast<Index>(found.sensor);
+    const Corrected by_law =
+        without(z_, sd_, sensor, found.law.factors(poles_));
+    compare_modes(by_law.z,
+                  predict(sensor, by_law.z, by_law.sd, patterns_),
+                  limits_,
+                  found);
+  }
+
+  const MatrixXcd& z_;
+  const MatrixXd& sd_;
+  const VectorXcd& poles_;
+  const MatrixXcd& patterns_;
+  const RunResidueLimits& limits_;
+  SensorPattern plain_;
+};
 
 }  // namespace
 
@@ -185,7 +257,7 @@ std::vector<SensorPattern> compare_patterns(const SensorSetUp& set_up,
   }
   std::vector<SensorPattern> of;
   for (std::size_t r = 0; r < set_up.runs.size(); ++r) {
-    of.push_back(look_at(set_up.z[r], set_up.sd[r], patterns, limits));
+    of.push_back(RunPattern(set_up, r, patterns, limits).best());
   }
   return of;
 }

@@ -3,6 +3,8 @@
 // whether by one factor on one sensor.
 #pragma once
 
+#include "modal/checks/sensor_law.hpp"
+
 #include <Eigen/Core>
 
 #include <complex>
@@ -19,17 +21,21 @@ struct RunResidueLimits {
   double times_usual = 6.0;
   /// And so many times the noise that is stated of it.
   double times_noise = 3.0;
-  /// One factor explains the difference where it leaves this share of it.
+  /// One factor explains the difference where it leaves this share of it, a law
+  /// where it leaves this share of what the factor leaves.
   double one_factor = 0.2;
   /// And where the modes, each by itself, ask for the same one: root mean
   /// square in standard deviations, `much` of the factor among them.
   double scatter = 3.0;
+  /// Modes that tell a law from another point.
+  int fewest_modes_of_law = 3;
 };
 
 /// Modal constants of runs whose sensors sit at the same points.
 struct SensorSetUp {
   std::vector<std::size_t> channels;  ///< of the sensors, ascending
   std::vector<std::size_t> runs;
+  Eigen::VectorXcd poles;           ///< of the modes
   std::vector<Eigen::MatrixXcd> z;  ///< per run: sensors x modes
   std::vector<Eigen::MatrixXd> sd;
 };
@@ -40,6 +46,7 @@ struct SensorPattern {
   double noise = 0.0;      ///< that is stated of it, which is not in it
   std::size_t sensor = 0;  ///< one factor on it explains the most
   std::complex<double> factor = 1.0;  ///< that factor
+  SensorLaw law = {};                 ///< over frequency, where it has one
   double left = 0.0;                  ///< error with it
   int modes = 0;                      ///< that tell the factor
   double scatter = 0.0;  ///< of their factors, in standard deviations, rms

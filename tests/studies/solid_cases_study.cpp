@@ -5,8 +5,8 @@
 //
 // Makes a bundle with a truth.json for each case; a diagnosis of each is then
 // judged against it. Six plates: with a window, held at both ends, bent,
-// stepped, an L, tapered and twisted. Three frames: a portal, an arm with a
-// corner, a ladder.
+// stepped, an L, tapered and twisted; a fold and a channel. Three frames: a
+// portal, an arm with a corner, a ladder.
 #include "tests/studies/solid_plate.hpp"
 #include "tests/studies/solid_structures.hpp"
 #include "updating/virtual_test/virtual_bundle.hpp"
@@ -212,14 +212,21 @@ class Cases {
     Case it{"soft-support"};
     const double span = plate_.columns * plate_.pitch;
     it.hidden.bed = 15.0 * plate_.E / span;
-    // Lumped springs turn as if two thirds of them stood at the surfaces:
-    // sum k z^2 = bed t (2/3) (t/2)^2.
+    // Lumped springs, a third each at the faces and the middle of every layer:
+    // sum k z^2 = bed sum h (z_0^2 + z_m^2 + z_1^2) / 3, a bit over t^3 / 12.
     const double t =
         plate_.thickness * (plate_.thicker ? plate_.thicker(0, 0) : 1.0);
+    const double h = t / plate_.layers;
+    double turn = 0.0;
+    for (int k = 0; k < 2 * plate_.layers + 1; ++k) {
+      const double z = 0.5 * (k * h - t);
+      const bool outer = k == 0 || k == 2 * plate_.layers;
+      turn += (k % 2 == 1 || outer ? 1.0 : 2.0) * h / 3.0 * z * z;
+    }
     it.truth.push_back({{"effect", "soft-support"}, {"kind", "face"}});
     if (plate_.of_bars) return it;  // it turns unlike about its two axes
-    it.truth.back()["reference"] = {{"rotational_stiffness_nm_per_rad_per_m",
-                                     it.hidden.bed * t * t * t / 6.0}};
+    it.truth.back()["reference"] = {
+        {"rotational_stiffness_nm_per_rad_per_m", it.hidden.bed * turn}};
     return it;
   }
 

@@ -28,11 +28,17 @@ double thickness_of(const SolidPlate& plate, int i, int j) {
   return plate.thickness * (plate.thicker ? plate.thicker(i, j) : 1.0);
 }
 
+// Of length 1; at a fold along a column so long that both sides keep their
+// thickness.
 Vector3d normal_at(const SolidPlate& plate, double u, double v) {
   constexpr double h = 1e-4;
-  return (plate.middle(u + h, v) - plate.middle(u - h, v))
-      .cross(plate.middle(u, v + h) - plate.middle(u, v - h))
-      .normalized();
+  const Vector3d along = plate.middle(u, v + h) - plate.middle(u, v - h);
+  const Vector3d here = plate.middle(u, v);
+  const Vector3d before =
+      (here - plate.middle(u - h, v)).cross(along).normalized();
+  const Vector3d after =
+      (plate.middle(u + h, v) - here).cross(along).normalized();
+  return (before + after) / (1.0 + before.dot(after));
 }
 
 std::string grid_card(int id, const Vector3d& x) {
@@ -175,13 +181,21 @@ class Solids {
     if (!fresh) return it->second;
     const int id = parted || c != plate_->layers ? 0 : deck_grid(a, b);
     it->second = id > 0 ? id : 10000 + ++count_;
-    const Vector3d across = normal_at(*plate_,
-                                      a / (2.0 * n_ * plate_->columns),
-                                      b / (2.0 * n_ * plate_->rows));
     const double off =
         0.5 * (c - plate_->layers) / plate_->layers * thickness_at(a, b);
-    grids_ += grid_card(it->second, middle(a, b) + off * across);
+    grids_ += grid_card(it->second, middle(a, b) + off * across(a, b));
     return it->second;
+  }
+
+  // Between two corners of a solid the mean: beside a fold, too, the middle of
+  // an edge stays near its middle.
+  [[nodiscard]] Vector3d across(int a, int b) const {
+    const auto at = [this](int i, int j) {
+      return normal_at(*plate_,
+                       i / (2.0 * n_ * plate_->columns),
+                       j / (2.0 * n_ * plate_->rows));
+    };
+    return a % 2 == 0 ? at(a, b) : 0.5 * (at(a - 1, b) + at(a + 1, b));
   }
 
   // Springs that are the same everywhere, lumped: a twelfth of them at each

@@ -32,8 +32,8 @@ struct SolidPlate {
   /// Whether it is held at a grid of the lattice, counted from 0.
   std::function<bool(int, int)> is_held = {};
   std::array<double, 2> band_hz{10.0, 1000.0};
-  int split = 2;   ///< solids along a side of a cell
-  int layers = 1;  ///< of solids across
+  int split = 4;   ///< solids along a side of a cell
+  int layers = 2;  ///< of solids across
   /// Members one cell wide, of the pitch, each a row of bars in the deck.
   bool of_bars = false;
 };

@@ -1,5 +1,6 @@
 #include "tests/studies/solid_structures.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -79,6 +80,33 @@ SolidPlate blade() {
   return plate;
 }
 
+// A sheet folded at a right angle along a column, the other flange up.
+SolidPlate fold() {
+  SolidPlate plate{"fold", 16, 8, 0.02, 0.006};
+  plate.middle = [](double u, double v) {
+    const double along = 0.32 * u;
+    return Vector3d(std::min(along, 0.2), 0.16 * v, std::max(along - 0.2, 0.0));
+  };
+  plate.is_held = [](int i, int) { return i == 0; };
+  plate.band_hz = {15.0, 1500.0};
+  return plate;
+}
+
+// A channel: a web between two flanges, held at the end of all three.
+SolidPlate channel() {
+  SolidPlate plate{"channel", 14, 16, 0.02, 0.005, 205e9, 0.3, 7850.0};
+  plate.middle = [](double u, double v) {
+    const double along = 0.28 * u;
+    const double web = std::clamp(along - 0.08, 0.0, 0.12);
+    const double flange =
+        along < 0.08 ? 0.08 - along : std::max(along - 0.2, 0.0);
+    return Vector3d(web, 0.32 * v, flange);
+  };
+  plate.is_held = [](int, int j) { return j == 0; };
+  plate.band_hz = {50.0, 1200.0};
+  return plate;
+}
+
 // Held at the bottom of its lattice.
 SolidPlate frame(const std::string& name,
                  std::array<int, 2> cells,
@@ -138,6 +166,8 @@ std::vector<SolidPlate> solid_structures() {
           step(),
           ell(),
           blade(),
+          fold(),
+          channel(),
           portal(),
           arm(),
           ladder()};

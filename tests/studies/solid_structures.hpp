@@ -7,7 +7,7 @@
 
 namespace tapfit::updating::testing {
 
-/// Six plates and three frames.
+/// Six plates, a fold, a channel and three frames.
 [[nodiscard]] std::vector<SolidPlate> solid_structures();
 
 }  // namespace tapfit::updating::testing

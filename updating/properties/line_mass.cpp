@@ -1,6 +1,6 @@
 #include "updating/properties/line_mass.hpp"
 
-#include "updating/structure/mesh/stiff_corners.hpp"
+#include "updating/structure/mesh/corner_mass.hpp"
 
 #include <algorithm>
 #include <utility>

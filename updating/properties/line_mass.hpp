@@ -4,7 +4,7 @@
 //   J_m = rho (I1 + I2),   rho I1,   rho I2   [kg m^2 per m]
 //
 // and where members meet, some of it is counted twice and some is not there
-// (stiff_corners.hpp).
+// (corner_mass.hpp).
 // Source: S. Timoshenko, D. H. Young, W. Weaver, "Vibration Problems in
 // Engineering", 4th ed., 1974, art. 5.7 and 5.12.
 #pragma once

@@ -47,6 +47,10 @@ AssembledBase::AssembledBase(
                          : structure::RefinedDeck{deck, {}, {}}) {
   progress("model: assembling", 0.0);
   system = structure::assemble(mesh.deck);
+  mass = structure::total_mass(mesh.deck, system);
+  if (!(mass > 0.0)) {
+    throw structure::no_density(deck, "the model has no mass");
+  }
   std::vector<MassForm> forms;
   if (options.split) forms = mass_forms(mesh.deck, system);
   if (const structure::SparseMatrix lent =
@@ -59,10 +63,6 @@ AssembledBase::AssembledBase(
     throw InputError("the model has no free degree of freedom",
                      deck.path.string(),
                      "check the elements and the SPC cards");
-  }
-  mass = structure::total_mass(mesh.deck, system);
-  if (!(mass > 0.0)) {
-    throw structure::no_density(deck, "the model has no mass");
   }
   shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   answers.emplace(system, motions, shift);

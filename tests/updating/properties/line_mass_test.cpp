@@ -83,17 +83,12 @@ TEST(LineMass, IsOfBarsWhoseSectionsDoNotTurn) {
 
 // A CBEAM that ends inside another one counts twice all the same.
 TEST(LineMass, IsOfBarsThatEndInsideOthers) {
-  structure::Deck deck = bar("CBEAM", "");
-  EXPECT_FALSE(has_line_mass(deck));
-  structure::Bar branch = deck.bars.front();
-  structure::Grid tip = deck.grids.back();
-  tip.id = 99;
-  tip.position = {0.5 * length, 0.1, 0.0};
-  deck.grids.push_back(tip);
-  branch.id = 99;
-  branch.grids = {elements / 2 + 1, 99};
-  deck.bars.push_back(branch);
-  EXPECT_TRUE(has_line_mass(deck));
+  const std::string branch =
+      fmt::format("GRID,99,,{},.1,0.\nCBEAM,99,1,{},99,0.,0.,1.\n",
+                  0.5 * length,
+                  elements / 2 + 1);
+  EXPECT_FALSE(has_line_mass(bar("CBEAM", "")));
+  EXPECT_TRUE(has_line_mass(bar("CBEAM", branch)));
 }
 
 }  // namespace

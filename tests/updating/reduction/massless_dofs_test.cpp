@@ -1,5 +1,6 @@
 #include "updating/reduction/massless_dofs.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/reduction/reduced_base.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -81,6 +82,21 @@ TEST_F(MasslessDofs, AreInTheBase) {
 // Not measured: an effect there is what brings it into the base.
 TEST_F(MasslessDofs, AreInTheBaseOfAnEffectThere) {
   EXPECT_LT(worst(base_of({0, 6 * 5}, {6 * 2}), 0.3), 1e-6);
+}
+
+// What is lent is no mass of the deck's.
+TEST(MasslessDeck, IsRefused) {
+  const structure::Deck deck = structure::deck_of(
+      "GRID,1,,0.,0.,0.,,23456\nGRID,2,,1.,0.,0.,,23456\n"
+      "CELAS2,1,1.+5,1,1,2,1\nCELAS2,2,1.+5,2,1\n");
+  BaseOptions options;
+  options.points = {0};
+  try {
+    const BaseBuilder builder(deck, {}, options, {});
+    FAIL() << "a deck without mass has modes";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.fault(), "the model has no mass");
+  }
 }
 
 }  // namespace

@@ -8,10 +8,7 @@
 // A bar that ends there ends half the other one's depth, sqrt(3 I / A) of a
 // rectangle, before the crossing; it twists up to the crossing, and one that
 // goes on bends as before. A shell ends half the other one's thickness before
-// the fold, in bending. Where a bar ends inside one that goes on, its material
-// is counted twice: its mass there is too much. Two that end in each other are
-// a block about the crossing; their lines have one quarter of it twice, and one
-// not at all.
+// the fold, in bending.
 // Source: rigid end offsets of frame analysis, e.g. W. McGuire, R. H.
 // Gallagher, R. D. Ziemian, "Matrix Structural Analysis", 2nd ed., 2000,
 // ch. 13.
@@ -28,12 +25,6 @@ inline constexpr const char* corner_stiffness = "corner-stiffness";
 
 /// Elements that lie partly inside others: id and share s, 0.9 at most.
 [[nodiscard]] std::map<int, double> inside_corners(const Deck& deck);
-
-/// Bars whose mass is counted twice or lies elsewhere, and the share of it.
-[[nodiscard]] std::map<int, double> misplaced_mass(const Deck& deck);
-
-/// The deck with that mass where it is; what is no material's stays.
-[[nodiscard]] Deck with_placed_mass(Deck deck);
 
 /// The deck with these elements stiffer, on properties and materials of their
 /// own; masses stay.

@@ -1,55 +1,18 @@
 #include "updating/structure/mesh/stiff_corners.hpp"
 
+#include "tests/updating/support/corner_decks.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/free_motions.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace tapfit::structure {
 namespace {
 
-constexpr double depth = 0.02;
-constexpr double pitch = 0.025;
-constexpr int per_leg = 8;
-
-// Two legs of square bar at an angle, in the plane x-z, clamped at the first's
-// foot; `rigid` metres of each leg at the corner are rigid arms.
-Deck two_legs(double degrees, double rigid) {
-  const double a = degrees * std::acos(-1.0) / 180.0;
-  std::string text = "BEGIN BULK\nPARAM,COUPMASS,1\n";
-  for (int i = 0; i <= 2 * per_leg; ++i) {
-    const double first = pitch * std::min(i, per_leg);
-    const double second = pitch * std::max(i - per_leg, 0);
-    text += fmt::format("GRID,{},,{},0.,{},,246\n",
-                        i + 1,
-                        second * std::sin(a),
-                        first + second * std::cos(a));
-  }
-  for (int i = 1; i <= 2 * per_leg; ++i) {
-    text += fmt::format("CBAR,{},1,{},{},0.,1.,0.\n", i, i, i + 1);
-    if (rigid > 0.0 && i == per_leg) {
-      text += fmt::format(",,,,,,0.,0.,{}\n", -rigid);
-    }
-    if (rigid > 0.0 && i == per_leg + 1) {
-      text += fmt::format(
-          ",,,{},0.,{}\n", rigid * std::sin(a), rigid * std::cos(a));
-    }
-  }
-  // Arms weigh nothing: what they replace stays at the corner.
-  if (rigid > 0.0) {
-    text += fmt::format(
-        "CONM2,99,{},,{}\n", per_leg + 1, 2.0 * rigid * depth * depth * 7850.0);
-  }
-  text += fmt::format(
-      "PBAR,1,1,{0},{1},{1},2e-8\n", depth * depth, std::pow(depth, 4) / 12.0);
-  return deck_of(text + "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n");
-}
+using namespace corner_decks;
 
 Eigen::VectorXd frequencies(const Deck& deck) {
   const System system = assemble(deck);
@@ -99,21 +62,6 @@ TEST(StiffCorners, StiffenAsRigidArmsDo) {
   }
 }
 
-// A member of square bar along x, and one that ends at its middle; `beyond`
-// goes on at the other side.
-Deck meeting(bool beyond) {
-  std::string text = "BEGIN BULK\nPARAM,COUPMASS,1\n";
-  text += "GRID,1,,-.1,0.,0.\nGRID,2,,0.,0.,0.\nGRID,3,,.1,0.,0.\n";
-  text += "GRID,4,,0.,.025,0.\nGRID,5,,0.,-.025,0.\n";
-  text += "CBAR,1,1,1,2,0.,0.,1.\nCBAR,2,1,2,3,0.,0.,1.\n";
-  text += "CBAR,3,1,2,4,0.,0.,1.\n";
-  if (beyond) text += "CBAR,4,1,5,2,0.,0.,1.\n";
-  text += fmt::format("PBAR,1,1,{0},{1},{1},2e-8,3.\n",
-                      depth * depth,
-                      std::pow(depth, 4) / 12.0);
-  return deck_of(text + "MAT1,1,2.1+11,,.3,7850.\nSPC1,1,123456,1\nENDDATA\n");
-}
-
 TEST(StiffCorners, LeaveBarsThatGoOnAsTheyAre) {
   const std::map<int, double> inside = inside_corners(meeting(false));
   ASSERT_EQ(inside.size(), 1U);
@@ -129,37 +77,6 @@ TEST(StiffCorners, LetBarsTwistUpToTheCrossing) {
     const double GJ = stiff.materials.at(p.material).G * p.J;
     EXPECT_NEAR(GJ, plain.materials.at(1).G * 2e-8, 1e-9 * GJ) << bar.id;
   }
-}
-
-// A member that ends inside another counts half the other's depth twice; mass
-// that is no material's stays.
-TEST(StiffCorners, WeighMaterialOnce) {
-  const Deck deck = meeting(false);
-  const Deck once = with_placed_mass(deck);
-  const double lost =
-      total_mass(deck, assemble(deck)) - total_mass(once, assemble(once));
-  EXPECT_NEAR(lost, 7850.0 * depth * depth * 0.5 * depth, 1e-3 * lost);
-  EXPECT_TRUE(misplaced_mass(meeting(true)).empty());
-  EXPECT_TRUE(misplaced_mass(two_legs(0.0, 0.0)).empty());
-}
-
-// Two that end in each other weigh what they did, as a cube about the crossing:
-// M about it is that of the cube and of legs that begin at its faces.
-TEST(StiffCorners, PutABlockWhereTwoMembersEnd) {
-  const Deck deck = two_legs(90.0, 0.0);
-  const Deck placed = with_placed_mass(deck);
-  const double whole = total_mass(deck, assemble(deck));
-  EXPECT_NEAR(total_mass(placed, assemble(placed)), whole, 1e-6 * whole);
-  ASSERT_EQ(placed.masses.size(), 1U);
-  const PointMass& block = placed.masses[0];
-  const double cube = 7850.0 * depth * depth * depth;
-  EXPECT_EQ(block.grid, per_leg + 1);
-  EXPECT_NEAR(block.mass, cube, 1e-9);
-  EXPECT_LT(
-      (block.inertia - cube * depth * depth / 6.0 * Eigen::Matrix3d::Identity())
-          .norm(),
-      1e-9 * cube * depth * depth);
-  EXPECT_TRUE(block.offset.isZero());
 }
 
 // Two strips of shells that meet at a right angle: the row beside the fold lies
