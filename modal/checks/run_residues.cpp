@@ -207,9 +207,10 @@ Finding moved_finding(const acquisition::TestBundle& bundle,
 }
 
 bool same_factor(const SensorPattern& a, const SensorPattern& b) {
-  return a.sensor == b.sensor && a.law.power == b.law.power &&
-         std::abs(a.law.delay_s - b.law.delay_s) <=
-             0.1 * std::abs(a.law.delay_s) &&
+  const bool as_late =
+      a.law.power != 0 ||
+      std::abs(a.law.delay_s - b.law.delay_s) <= 0.1 * std::abs(a.law.delay_s);
+  return a.sensor == b.sensor && a.law.power == b.law.power && as_late &&
          std::abs(a.factor - b.factor) < 0.1 * std::abs(a.factor);
 }
 

@@ -25,7 +25,8 @@ struct SensorLaw {
 };
 
 /// Laws that may explain what a sensor shows: integrated and differentiated
-/// once and twice, and the delay that explains most, up to the longest.
+/// once and twice, with the slight delay that explains most, and the delay
+/// alone that does, up to 50 ms.
 /// @param z what it shows of each mode
 /// @param seen what it should show, but for g
 [[nodiscard]] std::vector<SensorLaw> laws_that_explain(

@@ -191,21 +191,26 @@ class RunPattern {
       for (const SensorLaw& law :
            laws_that_explain(z_.row(c).transpose(), seen, poles_)) {
         SensorPattern tried = with(c, law);
-        if (tried.left >= by_law.left || !is_real(tried.factor)) continue;
+        if (tried.left >= by_law.left) continue;
         compare(tried);
-        const bool told = tried.modes >= limits_.fewest_modes_of_law &&
-                          tried.scatter <= limits_.scatter;
-        if (told) by_law = tried;
+        if (is_told(tried)) by_law = tried;
       }
     }
     return by_law.law.is_plain() ? found : by_law;
   }
 
  private:
-  // An amplifier has no phase, a sensor at another point none that is common.
-  static bool is_real(const complex& factor) {
+  // Amplifiers have no phase, and what is late is as large as before: a sensor
+  // at another point is, mode by mode, neither.
+  [[nodiscard]] bool is_told(const SensorPattern& p) const {
     constexpr double most_phase = 0.2;
-    return std::abs(factor.imag()) <= most_phase * std::abs(factor.real());
+    constexpr double as_large = 0.1;
+    const bool late = p.law.power == 0;
+    const bool real =
+        std::abs(p.factor.imag()) <= most_phase * std::abs(p.factor.real());
+    return p.scatter <= limits_.scatter &&
+           (late ? p.modes >= 2 && std::abs(p.factor - 1.0) <= as_large
+                 : p.modes >= limits_.fewest_modes_of_law && real);
   }
 
   [[nodiscard]] SensorPattern with(Index sensor, const SensorLaw& law) const {

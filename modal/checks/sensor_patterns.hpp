@@ -27,7 +27,7 @@ struct RunResidueLimits {
   /// And where the modes, each by itself, ask for the same one: root mean
   /// square in standard deviations, `much` of the factor among them.
   double scatter = 3.0;
-  /// Modes that tell a law from another point.
+  /// Modes that tell an integral or derivative from another point.
   int fewest_modes_of_law = 3;
 };
 

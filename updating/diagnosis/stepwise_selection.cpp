@@ -89,7 +89,7 @@ bool StepwiseSelection::try_to_add(bool first,
   const Hypothesis& added = round.hypotheses[best];
   worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
-  if (!worth.earned()) return false;
+  if (!worth.earned() || !is_told(added.fit)) return false;
   worth.gain = added.log_gain;
   worth.share = worth_it;
   before_pair_.reset();  // a second followed

@@ -16,6 +16,17 @@ bool Worth::earned() const {
   return gain > very_strong && with_it < share * held_out;
 }
 
+bool is_told(const Fit& fit) {
+  constexpr double in_95 = 1.96;  // standard deviations
+  constexpr double whole = 1.0;
+  const EffectInstance& last = fit.result.state.effects.back();
+  const Eigen::Index own = fit.result.covariance.rows() - 1;
+  if (last.p.size() != 1 || own < 0) return true;
+  if (parameters_of(last, *fit.model).front().upper != whole) return true;
+  const double sd = std::sqrt(std::max(fit.result.covariance(own, own), 0.0));
+  return std::log(whole / last.p.front()) > in_95 * sd;
+}
+
 Floor floor_of(const Fit& fit,
                const Target& target,
                const DiagnoseOptions& options) {

@@ -30,6 +30,12 @@ struct Worth {
   [[nodiscard]] bool earned() const;
 };
 
+/// Whether a fit's last effect, where it leaves a share of what is there, is
+/// told from leaving all of it: its 95 % interval, as wide as noise, mesh and
+/// form make it, ends before. The evidence counts what the data say if the mesh
+/// is right; at an inner corner it is not.
+[[nodiscard]] bool is_told(const Fit& fit);
+
 /// What is left where nothing is missing.
 struct Floor {
   double whole = 0.0;  ///< of noise, mesh and a careful deck's form

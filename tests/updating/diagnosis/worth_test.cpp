@@ -1,6 +1,11 @@
 #include "updating/diagnosis/worth.hpp"
 
+#include "tests/updating/support/hidden_in_plate.hpp"
+#include "updating/catalogue/catalogue.hpp"
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace tapfit::updating {
 namespace {
@@ -32,6 +37,40 @@ TEST(AnUnexplainedError, IsFarAboveFloorAndBase) {
   EXPECT_TRUE(is_unexplained(0.11, 0.01, 1.0, true));
   // A base worse than no answer at all lends no explanation.
   EXPECT_TRUE(is_unexplained(0.2, 0.01, 50.0, true));
+}
+
+class ToldFromNone : public support::HiddenInPlate {
+ protected:
+  // Hidden and fitted.
+  Fit fit_of(const EffectInstance& effect) {
+    hide({effect});
+    return fitter_->fit({effect}, fitter_->model_for({effect}));
+  }
+
+  // With that deviation of the logarithm of its size.
+  static bool is_told_with(Fit fit, double sd) {
+    const Eigen::Index own = fit.result.covariance.rows() - 1;
+    fit.result.covariance(own, own) = sd * sd;
+    return is_told(fit);
+  }
+};
+
+TEST_F(ToldFromNone, IsALossWhoseIntervalEndsBefore) {
+  Location where;
+  where.elements = {12};
+  const Fit fit = fit_of({&effects::find("stiffness-loss"), where, {0.3}});
+  EXPECT_TRUE(is_told(fit));
+  const double away = std::log(1.0 / fit.effects[0].p[0]);
+  EXPECT_TRUE(is_told_with(fit, away / 2.0));
+  EXPECT_FALSE(is_told_with(fit, away / 1.9));
+}
+
+// A size without a whole is the evidence's to judge.
+TEST_F(ToldFromNone, IsWhatHasNoWhole) {
+  Location where;
+  where.node = 31;
+  const Fit fit = fit_of({&effects::find("added-mass"), where, {0.02}});
+  EXPECT_TRUE(is_told_with(fit, 10.0));
 }
 
 }  // namespace
