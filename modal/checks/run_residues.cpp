@@ -146,6 +146,7 @@ Finding law_finding(const acquisition::TestBundle& bundle,
   const SensorLaw& law = pattern.law;
   const Subject where{change.runs, who, {}, {}};
   if (law.power == 0) {
+    const std::string& late = law.delay_s > 0.0 ? who : other;
     return {Severity::Error,
             where,
             fmt::format("{} is {:.3g} ms {} {} in every mode, which it is not "
@@ -156,31 +157,33 @@ Finding law_finding(const acquisition::TestBundle& bundle,
                         other),
             fmt::format("{} is late: another filter or another recorder's "
                         "clock in these runs",
-                        law.delay_s > 0.0 ? who : other),
-            fmt::format("take {} out of `sensors` of these runs, or shift its "
-                        "samples",
-                        who)};
+                        late),
+            fmt::format("shift the samples of {0} in these runs, or take {0} "
+                        "out of their `sensors`",
+                        late)};
   }
   const bool integrated = law.power < 0;
+  const std::string& faulty = integrated ? who : other;
   const std::string times = std::abs(law.power) == 1 ? "once" : "twice";
   const std::string quantity =
       std::abs(law.power) == 1 ? "velocity" : "displacement";
-  return {Severity::Error,
-          where,
-          fmt::format("{} against {} is {} {} in these runs, mode by mode",
-                      who,
-                      other,
-                      integrated ? "integrated" : "differentiated",
-                      times),
-          fmt::format("{} measured {} in these runs, or was integrated by its "
-                      "amplifier",
-                      integrated ? who : other,
-                      quantity),
-          fmt::format("list {} a second time in `channels` with \"quantity\": "
-                      "\"{}\" and its unit and use that channel in these runs, "
-                      "or take it out of their `sensors`",
-                      integrated ? who : other,
-                      quantity)};
+  return {
+      Severity::Error,
+      where,
+      fmt::format("{} against {} is {} {} in these runs, mode by mode",
+                  who,
+                  other,
+                  integrated ? "integrated" : "differentiated",
+                  times),
+      fmt::format("{} measured {} in these runs, or an amplifier "
+                  "integrated",
+                  faulty,
+                  quantity),
+      fmt::format("list {0} a second time in `channels` with \"quantity\": "
+                  "\"{1}\" and its unit, for these runs, or take {0} out of "
+                  "their `sensors`",
+                  faulty,
+                  quantity)};
 }
 
 Finding moved_finding(const acquisition::TestBundle& bundle,

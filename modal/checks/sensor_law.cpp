@@ -10,7 +10,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXcd;
 
-// Later than recorders that are started one by one are.
+// A twentieth of a block of one second: of what is later still, the block cuts
+// off too much for its modes to be compared.
 constexpr double longest_delay_s = 0.05;
 
 // |Re sum conj(seen) z| with the delay taken off: g is the same for all modes,

@@ -43,10 +43,12 @@ structure::Deck read_any_model(const CommandOptions& options) {
   return updating::read_test_model(bundle);
 }
 
-ModelSummary summarise(const structure::Deck& deck, int count) {
+ModelSummary summarise(const structure::Deck& deck,
+                       int count,
+                       const std::stop_token& stop) {
   const structure::System system = structure::assemble(deck);
   const structure::DeckModes solved =
-      structure::deck_modes(deck, system, count);
+      structure::deck_modes(deck, system, count, stop);
   ModelSummary summary{.grids = deck.grids.size() - deck.measuring.size(),
                        .elements = deck.element_count(),
                        .dofs = system.free_dofs().size(),
@@ -95,7 +97,7 @@ std::string model_command(const CommandOptions& options,
   progress("reading the model", 0.0);
   const structure::Deck deck = read_any_model(options);
   progress("solving for modes", 0.3);
-  const ModelSummary summary = summarise(deck, options.modes);
+  const ModelSummary summary = summarise(deck, options.modes, progress.stop);
   return options.json ? model_json(summary).dump(2) + "\n"
                       : model_text(summary);
 }

@@ -6,16 +6,20 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <ctime>
+#include <semaphore.h>
 
 namespace tapfit::tui {
 
 namespace {
 
 // What a signal handler may write to has to be global.
-volatile std::sig_atomic_t interrupted = 0;
-volatile std::sig_atomic_t interrupted_at = 0;  // [ms]
+std::atomic<bool> interrupted = false;
+std::atomic<int> interrupted_at = 0;  // [ms]
+static_assert(std::atomic<int>::is_always_lock_free);
+sem_t woken;  // the only one that a handler may post
 
 // What ends a program from outside often tells it and its group: a second
 // signal within this time is the first again.
@@ -33,9 +37,10 @@ constexpr std::array<int, 4> asking{SIGINT, SIGTERM, SIGHUP, SIGQUIT};
 
 extern "C" void on_interrupt(int signal) {
   const int now = clock_ms();
-  if (interrupted == 0) {
+  if (!interrupted) {
     interrupted_at = now;
-    interrupted = 1;
+    interrupted = true;
+    sem_post(&woken);
   } else if (now - interrupted_at > same_cause_ms) {
     std::signal(signal, SIG_DFL);
     std::raise(signal);
@@ -45,7 +50,13 @@ extern "C" void on_interrupt(int signal) {
 }  // namespace
 
 ProgressLine::ProgressLine(bool shown) : shown_(shown) {
-  interrupted = 0;
+  interrupted = false;
+  sem_init(&woken, 0, 0);
+  watcher_ = std::thread([this] {
+    while (sem_wait(&woken) != 0) {
+    }
+    if (interrupted) stop_.request_stop();
+  });
   for (const int signal : asking) {
     // As nohup and shells in the background have set it, it stays.
     if (std::signal(signal, on_interrupt) == SIG_IGN) {
@@ -58,6 +69,9 @@ ProgressLine::~ProgressLine() {
   for (const int signal : asking) {
     if (std::signal(signal, SIG_DFL) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
+  sem_post(&woken);
+  watcher_.join();
+  sem_destroy(&woken);
   clear();
 }
 
@@ -73,7 +87,6 @@ Progress ProgressLine::progress() {
 }
 
 void ProgressLine::report(std::string_view stage, double fraction) {
-  if (interrupted != 0) stop_.request_stop();
   if (!shown_) return;
   const double percent = 100.0 * std::clamp(fraction, 0.0, 1.0);
   say(fmt::format("\r\x1b[K{} {:.0f} %", stage, percent));

@@ -4,6 +4,9 @@
 
 #include "acquisition/foundation/progress.hpp"
 
+#include <stop_token>
+#include <thread>
+
 namespace tapfit::tui {
 
 /// While it lives, the first SIGINT (Ctrl-C), SIGQUIT (Ctrl-\), SIGTERM or
@@ -30,6 +33,7 @@ class ProgressLine {
   bool shown_;
   bool drawn_ = false;
   std::stop_source stop_;
+  std::thread watcher_;  // for a signal, whatever the work is at
 };
 
 }  // namespace tapfit::tui

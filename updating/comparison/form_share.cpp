@@ -8,7 +8,7 @@
 namespace tapfit::updating {
 
 FormShare form_share(const Fit& fit, const Target& target, double noise) {
-  if (fit.form.lambda.size() == 0) {
+  if (!fit.form.has_patterns()) {
     return {0.0, 0.0, fit.result.error, 0.0};
   }
   constexpr double plausible = 0.02;

@@ -33,8 +33,7 @@ std::optional<Point> look(const Fit& fit,
     result.jacobian.col(static_cast<Index>(k)) = stack(target, response.dH[k]);
   }
   const Readjustment free = readjustment(result);
-  const FormError form =
-      form_error(form_bias(*fit.model, result.state, target));
+  const FormError form = form_error(*fit.model, result.state, target);
   const VectorXd off = theta - result.prior.mean;
   const auto estimate = [&](const Readjustment& fitted) {
     FormView seen = view(form, r, fitted);

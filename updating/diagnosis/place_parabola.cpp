@@ -44,6 +44,16 @@ VectorXd terms(const VectorXd& z, bool product) {
   return row;
 }
 
+// Least squares. Places on one line, or nearly, tell nothing across it: terms
+// that go together share.
+MatrixXd solved(const MatrixXd& A, const MatrixXd& values) {
+  constexpr double told = 1e-3;
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least_squares;
+  least_squares.setThreshold(told);
+  least_squares.compute(A);
+  return least_squares.solve(values);
+}
+
 }  // namespace
 
 std::optional<PlaceParabola> parabola_through(
@@ -56,7 +66,8 @@ std::optional<PlaceParabola> parabola_through(
   const bool product = d == 2 && n >= 6;
   if (d == 0 || n < 1 + 2 * d) return std::nullopt;
   MatrixXd A(n, 1 + 2 * d + (product ? 1 : 0));
-  MatrixXd values(n, 1 + best.log_p.size());
+  VectorXd values(n);
+  MatrixXd sizes(n, best.log_p.size());
   VectorXd weight(n);
   double flattest = -1e300;  // curvature towards any of them
   for (Index k = 0; k < n; ++k) {
@@ -65,23 +76,18 @@ std::optional<PlaceParabola> parabola_through(
     const VectorXd z = (q.axes.transpose() * off).array() /
                        q.axes.colwise().squaredNorm().transpose().array();
     A.row(k) = terms(z, product).transpose();
-    values(k, 0) = t.log_likelihood - best.log_likelihood;
-    values.row(k).tail(best.log_p.size()) = (t.log_p - best.log_p).transpose();
+    values(k) = t.log_likelihood - best.log_likelihood;
+    sizes.row(k) = (t.log_p - best.log_p).transpose();
     // Far down the likelihood is no parabola.
-    weight(k) = std::exp(0.5 * values(k, 0) / parabolic);
+    weight(k) = std::exp(0.5 * values(k) / parabolic);
     if (z.norm() > 0.0) {
-      flattest = std::max(flattest, 2.0 * values(k, 0) / z.squaredNorm());
+      flattest = std::max(flattest, 2.0 * values(k) / z.squaredNorm());
     }
   }
-  // Places on one line tell nothing across it: terms that go together share.
-  constexpr double told = 1e-6;
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> least_squares;
-  least_squares.setThreshold(told);
-  least_squares.compute(weight.asDiagonal() * A);
-  const MatrixXd fitted =
-      least_squares.solve(MatrixXd(weight.asDiagonal() * values));
-  MatrixXd H = fitted.col(0).segment(1 + d, d).asDiagonal();
-  if (product) H(0, 1) = H(1, 0) = fitted(1 + 2 * d, 0);
+  const VectorXd fitted =
+      solved(weight.asDiagonal() * A, VectorXd(weight.asDiagonal() * values));
+  MatrixXd H = fitted.segment(1 + d, d).asDiagonal();
+  if (product) H(0, 1) = H(1, 0) = fitted(1 + 2 * d);
   // A ridge where the parabola misses the top, and what tells next to nothing
   // of the place: a spacing's deviation.
   constexpr double least_curvature = -1.0;
@@ -91,8 +97,12 @@ std::optional<PlaceParabola> parabola_through(
   const MatrixXd& turn = solver.eigenvectors();
   q.covariance =
       turn * (-curvature.cwiseInverse()).asDiagonal() * turn.transpose();
-  q.top = q.covariance * fitted.col(0).segment(1, d);
-  q.slope = fitted.block(1, 1, d, best.log_p.size()).transpose();
+  q.top = q.covariance * fitted.segment(1, d);
+  // Sizes bend little where the likelihood has its top.
+  q.slope = solved(weight.asDiagonal() * A.leftCols(1 + d),
+                   weight.asDiagonal() * sizes)
+                .bottomRows(d)
+                .transpose();
   return q;
 }
 

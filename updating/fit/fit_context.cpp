@@ -135,7 +135,7 @@ SolvedModel solve_model(const structure::Deck& deck,
   if (options.split) {
     options.split = false;
     model.coarse.emplace(deck, bundle.uncertain, options, progress);
-    model.corrections = model.builder.hold_corrections(*model.coarse);
+    model.corrections = model.builder.hold_corrections(*model.coarse, progress);
   }
   return model;
 }
@@ -177,10 +177,9 @@ FitContext prepare_fits(const SolvedModel& model,
   ground.floor_noise = noise_error(target);
   if (model.coarse) {
     const Fitter coarse(*model.coarse, fitter.problem());
-    const Eigen::VectorXd bias = mesh_error(
+    ground.floor_mesh = mesh_error(
         *base.model, *coarse.model_for({}), base.result.state, target);
-    ground.floor_mesh = bias.norm();
-    ground.fitter->set_mesh(*model.coarse, bias);
+    ground.fitter->set_mesh(*model.coarse);
   }
   return ground;
 }

@@ -1,37 +1,34 @@
 #include "updating/fit/fitted_form.hpp"
 
 #include <algorithm>
-#include <vector>
+#include <utility>
 
 namespace tapfit::updating {
 
 using Eigen::Index;
 
-Eigen::MatrixXd form_bias(const FrfModel& model,
-                          const ModelState& state,
-                          const Target& target) {
-  const std::vector<Eigen::MatrixXcd> patterns =
-      model.form_patterns(state, target.s);
+FormError form_error(const FrfModel& model,
+                     const ModelState& state,
+                     const Target& target) {
+  FormPatterns patterns = model.form_patterns(state, target.s);
   const Index rows = residual(target, target.H).size();
-  Eigen::MatrixXd F(rows, static_cast<Index>(patterns.size()));
-  for (std::size_t k = 0; k < patterns.size(); ++k) {
-    F.col(static_cast<Index>(k)) = stack(target, patterns[k]);
+  Eigen::MatrixXd F(rows, std::ssize(patterns.dH));
+  for (Index k = 0; k < F.cols(); ++k) {
+    F.col(k) = stack(target, patterns.dH[static_cast<std::size_t>(k)]);
   }
-  return F;
+  return {std::move(F), std::move(patterns.mesh_sd)};
 }
 
-Eigen::MatrixXd likely_form_bias(Eigen::MatrixXd patterns,
+Eigen::MatrixXd likely_form_bias(const FormError& form,
                                  double tau,
                                  double allowance,
                                  const Target& target) {
   const double common = std::max(tau, middle_tau * allowance);
   // The last: even, linear and, in FRFs, of the modes above the band.
   const Index above = target.is_modal() ? 0 : 1;
-  const Index first = patterns.cols() - 2 - above;
-  patterns.leftCols(first) *= tau;
-  patterns.middleCols(first, 2) *= common;
-  patterns.rightCols(above) *= tau;
-  return patterns;
+  Eigen::VectorXd sd = (form.mesh_sd.array().square() + tau * tau).sqrt();
+  sd.segment(sd.size() - 2 - above, 2).setConstant(common);
+  return form.F * sd.asDiagonal();
 }
 
 Readjustment readjustment(const UpdateResult& result) {

@@ -12,17 +12,17 @@
 namespace tapfit::updating {
 
 /// What a form that is wrong adds to what a model leaves.
-/// @return rows of stack() x patterns, see FrfModel::form_patterns()
-[[nodiscard]] Eigen::MatrixXd form_bias(const FrfModel& model,
-                                        const ModelState& state,
-                                        const Target& target);
+/// @return of stack(), see FrfModel::form_patterns()
+[[nodiscard]] FormError form_error(const FrfModel& model,
+                                   const ModelState& state,
+                                   const Target& target);
 
-/// Of these patterns, each at its deviation: tau, as what a fit leaves tells
-/// it. What all modes have in common, evenly or in proportion to their
-/// frequency, the modulus takes, and nothing that is left tells of it: no less
-/// than a careful deck is wrong by.
+/// Its patterns, each at its deviation: tau, as what a fit leaves tells it, and
+/// what the mesh leaves. What all modes have in common, evenly or in proportion
+/// to their frequency, the modulus takes, and nothing that is left tells of it:
+/// no less than a careful deck is wrong by.
 /// @param tau relative, of a modal stiffness
-[[nodiscard]] Eigen::MatrixXd likely_form_bias(Eigen::MatrixXd patterns,
+[[nodiscard]] Eigen::MatrixXd likely_form_bias(const FormError& form,
                                                double tau,
                                                double allowance,
                                                const Target& target);

@@ -9,7 +9,6 @@
 #include "updating/frf_model/mesh_at_state.hpp"
 #include "updating/places/told_apart.hpp"
 #include "updating/residual/independent_data.hpp"
-#include "updating/residual/mesh_error.hpp"
 #include "updating/residual/parameter_uncertainty.hpp"
 
 #include <algorithm>
@@ -44,10 +43,9 @@ Fitter Fitter::with(FitProblem problem) const {
   return other;
 }
 
-void Fitter::set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias) {
+void Fitter::set_mesh(const BaseBuilder& coarser) {
   coarser_ = &coarser;
   plain_coarser_ = Fitter(coarser, problem_).model_for({});
-  problem_.targets.back().mesh_bias = bias;
 }
 
 const std::vector<Location>& Fitter::places(
@@ -111,20 +109,13 @@ std::shared_ptr<const FrfModel> Fitter::with_coarser(
 
 // What the mesh does to the modes as they have become: all fits alike, so that
 // none is better for that alone.
-Fitter::Ground Fitter::with_mesh_at_state(const ModelState& state,
-                                          const Ground& before) const {
-  const FrfModel& coarser = *before.model->coarser();
-  Ground ground{with_mesh_at(*before.model,
-                             coarser,
-                             state,
-                             problem_.uncertain_sd.size() -
-                                 before.model->base().corrections.size()),
-                before.target};
-  if (change_stiffness(state.effects)) {
-    ground.target.mesh_bias =
-        mesh_error(*ground.model, coarser, state, ground.target);
-  }
-  return ground;
+std::shared_ptr<const FrfModel> Fitter::with_mesh_at_state(
+    const ModelState& state, const FrfModel& before) const {
+  return with_mesh_at(
+      before,
+      *before.coarser(),
+      state,
+      problem_.uncertain_sd.size() - before.base().corrections.size());
 }
 
 // A fit on its way: where it is, on what, and how it came there.
@@ -214,14 +205,14 @@ class Fitter::Course {
     Target& target = targets_.back();
     const ModelState& state = fit.result.state;
     const Eigen::VectorXd& r = fit.result.residual;
-    const Eigen::MatrixXd F = form_bias(*fit.model, state, target);
-    fit.form = view(form_error(F), r, readjustment(fit.result));
+    const FormError patterns = form_error(*fit.model, state, target);
+    fit.form = view(patterns, r, readjustment(fit.result));
     fit.form.allowance = fitter_->problem_.form_allowance;
     const FormEstimate form =
         estimate_form(fit.form, most_data(target), noise_error(target));
     fit.log_likelihood = form.log_likelihood;
     target.form_bias =
-        likely_form_bias(F, form.mean_tau, fit.form.allowance, target);
+        likely_form_bias(patterns, form.mean_tau, fit.form.allowance, target);
     fit.result.covariance = parameter_covariance(
         target, fit.result.jacobian, r, fit.result.prior.sd);
   }
@@ -251,17 +242,14 @@ class Fitter::Course {
   bool with_mesh(const MinimiseOptions& options) {
     const std::size_t last = targets_.size() - 1;
     const ModelState from = result_.state;
-    const Ground held{model_, targets_[last]};
+    const std::shared_ptr<const FrfModel> held = model_;
     const double known = relative_error(
-        held.target, model_->respond(from, held.target.s, false).H);
+        targets_[last], held->respond(from, targets_[last].s, false).H);
     const std::size_t steps = history_.size();
-    Ground ground = fitter_->with_mesh_at_state(from, held);
-    model_ = std::move(ground.model);
-    targets_[last] = std::move(ground.target);
+    model_ = fitter_->with_mesh_at_state(from, *held);
     go_on(last, options);
     if (result_.error <= known) return true;
-    model_ = held.model;
-    targets_[last] = held.target;
+    model_ = held;
     history_.resize(steps);
     result_.state = from;
     go_on(last, options);

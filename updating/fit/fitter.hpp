@@ -135,8 +135,7 @@ class Fitter {
 
   /// What fits need to know of the mesh's error.
   /// @param coarser the deck's own mesh, where that of the base is split
-  /// @param bias what the mesh may be off by, see Target::mesh_bias
-  void set_mesh(const BaseBuilder& coarser, const Eigen::VectorXd& bias);
+  void set_mesh(const BaseBuilder& coarser);
 
   /// Where an effect may be in this setting, so far as a measurement could tell
   /// places apart; worked out when first asked for.
@@ -156,13 +155,8 @@ class Fitter {
                                   const Fit& fit) const;
   void scan_start(const FrfModel& model, ModelState& state) const;
 
-  /// What a fit works on: the model, and the lines that count.
-  struct Ground {
-    std::shared_ptr<const FrfModel> model;
-    Target target;
-  };
-  [[nodiscard]] Ground with_mesh_at_state(const ModelState& state,
-                                          const Ground& before) const;
+  [[nodiscard]] std::shared_ptr<const FrfModel> with_mesh_at_state(
+      const ModelState& state, const FrfModel& before) const;
   class Course;
 
   const BaseBuilder* builder_;

@@ -29,7 +29,6 @@ Target used_lines(const Target& target, const std::vector<bool>& use) {
   used.H = target.H(rows, Eigen::all);
   used.variance = target.variance(rows, Eigen::all);
   used.weight = used.s.cwiseAbs2();
-  used.mesh_bias = {};  // is of other lines and weights
   return used;
 }
 

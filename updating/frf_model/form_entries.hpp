@@ -18,6 +18,13 @@ struct FormEntry {
 /// stiffness takes less than a third of what its mass does.
 inline constexpr double form_below = 0.5;
 
+/// What the mesh still leaves of what splitting it changed, mode by mode:
+/// between a third of it, where convergence is quadratic, and all of it, where
+/// it is linear, as h, at clamped edges and inner corners. What modes have in
+/// common its factor takes; evenly spread between the two, a mode is beside
+/// that by (1 - 1/3) / sqrt(12).
+inline constexpr double mesh_left_over = 0.19;
+
 /// Each of the first modes with itself and with the next two that show at the
 /// points: those across the direction measured are none of its neighbours.
 ///

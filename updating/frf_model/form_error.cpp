@@ -21,50 +21,120 @@ constexpr double most_tau = 0.2;
 // How far the first order reaches, in the parameters' logarithms: a factor.
 constexpr double first_order = 0.5;
 
-// r' W r + prior at its least over the parameters, with W = I - U D U',
-// D = lambda / (kappa + lambda):
+// r' W r + prior at its least over the parameters, with
+// W = I - g F S (I + g S F' F S)^-1 S F',
 //
 //   A d = -b,   A = g J' W J + P,   b = g J' W r + P (theta - mean)
 //
-// g = N / sigma^2 [1 / residual^2]; without the prior's cost at theta.
+// [1 / residual^2]; without the prior's cost at theta.
 struct Weighed {
   double square = 0.0;
   VectorXd step;
+  double volume = 0.0;  // ln det (I + g S F' F S)
 };
 
-Weighed weigh(const FormView& v, double kappa, double g) {
-  const VectorXd taken = v.lambda.array() / (kappa + v.lambda.array());
-  const double own = v.whole - taken.dot(v.along.cwiseAbs2());
-  Weighed result{g * std::max(own, 1e-30), {}};
-  if (v.slope.size() == 0) return result;
-  const MatrixXd weighed = taken.asDiagonal() * v.moved;
-  MatrixXd A = g * (v.gram - v.moved.transpose() * weighed);
-  A.diagonal() += v.precision;
-  A.diagonal().array() += 1.0 / (first_order * first_order);
-  const VectorXd b = g * (v.slope - weighed.transpose() * v.along) + v.pull;
-  result.step = -A.ldlt().solve(b);
-  const double gain = b.dot(result.step);
-  // What is left of a sum of squares is one: else the slopes are rounding.
-  if (result.square + gain > 0.0) {
-    result.square += gain;
-  } else {
-    result.step.setZero();
+// A view with one tau, in coordinates in which S F' F S is tridiagonal: all
+// sigmas are told from there in as many operations as there are patterns.
+class Scaled {
+ public:
+  Scaled(const FormView& view, double tau)
+      : view_(&view),
+        scale_((view.mesh_sd.array().square() + tau * tau).sqrt()) {
+    if (!view.has_patterns()) return;
+    const Eigen::Tridiagonalization<MatrixXd> reduced(
+        MatrixXd(scale_.asDiagonal() * view.patterns * scale_.asDiagonal()));
+    diagonal_ = reduced.diagonal();
+    beside_ = reduced.subDiagonal();
+    const auto Q = reduced.matrixQ();
+    along_ = Q.adjoint() * VectorXd(scale_.cwiseProduct(view.along));
+    if (view.moved.size() > 0) {
+      moved_ = Q.adjoint() * MatrixXd(scale_.asDiagonal() * view.moved);
+    }
   }
-  return result;
-}
+
+  [[nodiscard]] Weighed weigh(double g) const {
+    const FormView& v = *view_;
+    Weighed result;
+    const Index k = along_.size();
+    MatrixXd solved(k, 1 + moved_.cols());
+    solved << along_, moved_;
+    result.volume = solve(g, solved);
+    const double own = v.whole - g * along_.dot(solved.col(0));
+    result.square = g * std::max(own, 1e-30);
+    if (v.slope.size() == 0) return result;
+    MatrixXd A = g * v.gram;
+    VectorXd b = g * v.slope + v.pull;
+    if (k > 0) {
+      A -= g * g * moved_.transpose() * solved.rightCols(moved_.cols());
+      b -= g * g * moved_.transpose() * solved.col(0);
+    }
+    A.diagonal() += v.precision;
+    A.diagonal().array() += 1.0 / (first_order * first_order);
+    result.step = -A.ldlt().solve(b);
+    const double gain = b.dot(result.step);
+    // What is left of a sum of squares is one: else the slopes are rounding.
+    if (result.square + gain > 0.0) {
+      result.square += gain;
+    } else {
+      result.step.setZero();
+    }
+    return result;
+  }
+
+  // The likeliest e with what is left along the patterns.
+  [[nodiscard]] VectorXd likeliest(const VectorXd& along, double g) const {
+    MatrixXd B =
+        g * (scale_.asDiagonal() * view_->patterns * scale_.asDiagonal());
+    B.diagonal().array() += 1.0;
+    return g * scale_.cwiseProduct(
+                   B.ldlt().solve(VectorXd(scale_.cwiseProduct(along))));
+  }
+
+ private:
+  // (I + g T)^-1 X in place; ln det of what is inverted.
+  double solve(double g, MatrixXd& X) const {
+    const Index k = X.rows();
+    VectorXd pivot(k);
+    double volume = 0.0;
+    for (Index i = 0; i < k; ++i) {
+      pivot(i) = 1.0 + g * diagonal_(i);
+      if (i > 0) {
+        const double over = g * beside_(i - 1) / pivot(i - 1);
+        pivot(i) -= over * g * beside_(i - 1);
+        X.row(i) -= over * X.row(i - 1);
+      }
+      pivot(i) = std::max(pivot(i), 1.0);
+      volume += std::log(pivot(i));
+    }
+    for (Index i = k - 1; i >= 0; --i) {
+      if (i + 1 < k) X.row(i) -= g * beside_(i) * X.row(i + 1);
+      X.row(i) /= pivot(i);
+    }
+    return volume;
+  }
+
+  const FormView* view_;
+  VectorXd scale_;  // S
+  VectorXd diagonal_;
+  VectorXd beside_;
+  VectorXd along_;
+  MatrixXd moved_;
+};
 
 struct Density {
   double log = 0.0;  // ln p(r | sigma, tau) + ln p(tau), but for constants
   double sigma = 0.0;
 };
 
-double log_density(const FormView& v, double data, double sigma, double tau) {
-  const double kappa = sigma * sigma / (data * tau * tau);
-  const double volume = (v.lambda.array() / kappa).log1p().sum();
+double log_density(const FormView& v,
+                   const Scaled& at,
+                   double data,
+                   double sigma,
+                   double tau) {
   const double off = std::log(tau / (v.allowance * middle_tau)) / spread;
-  const double g = data / (sigma * sigma);
-  return -0.5 * (2.0 * data * std::log(sigma) + volume +
-                 weigh(v, kappa, g).square + off * off);
+  const Weighed weighed = at.weigh(data / (sigma * sigma));
+  return -0.5 * (2.0 * data * std::log(sigma) + weighed.volume +
+                 weighed.square + off * off);
 }
 
 // The sigma that is likeliest with tau, by golden section of its logarithm. Its
@@ -75,8 +145,9 @@ Density best_sigma(
   constexpr double close = 0.02;
   double low = std::log(bottom);
   double high = std::log(top);
+  const Scaled scaled(v, tau);
   const auto at = [&](double x) {
-    return log_density(v, data, std::exp(x), tau);
+    return log_density(v, scaled, data, std::exp(x), tau);
   };
   double a = high - golden * (high - low);
   double b = low + golden * (high - low);
@@ -139,34 +210,21 @@ double mean_tau_of(const std::vector<Tried>& grid, double most) {
 
 }  // namespace
 
-FormError form_error(const MatrixXd& F) {
-  constexpr double told = 1e-10;  // below it a pattern is another one again
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
-      MatrixXd(F.transpose() * F));
-  const VectorXd& all = solver.eigenvalues();
-  const Index kept =
-      all.size() == 0 ? 0 : (all.array() > told * all.maxCoeff()).count();
-  FormError form;
-  form.lambda = all.tail(kept);
-  form.U = F * (solver.eigenvectors().rightCols(kept) *
-                form.lambda.cwiseSqrt().cwiseInverse().asDiagonal());
-  return form;
-}
-
 FormView view(const FormError& form,
               const VectorXd& r,
               const Readjustment& fit) {
-  if (fit.J.size() == 0) {
-    return {form.lambda, form.U.transpose() * r, r.squaredNorm(), {}, {}, {}};
-  }
-  return {form.lambda,
-          form.U.transpose() * r,
-          r.squaredNorm(),
-          form.U.transpose() * fit.J,
-          fit.J.transpose() * fit.J,
-          fit.J.transpose() * r,
-          fit.precision,
-          fit.pull};
+  FormView seen;
+  seen.patterns = form.F.transpose() * form.F;
+  seen.mesh_sd = form.mesh_sd;
+  seen.along = form.F.transpose() * r;
+  seen.whole = r.squaredNorm();
+  if (fit.J.size() == 0) return seen;
+  seen.moved = form.F.transpose() * fit.J;
+  seen.gram = fit.J.transpose() * fit.J;
+  seen.slope = fit.J.transpose() * r;
+  seen.precision = fit.precision;
+  seen.pull = fit.pull;
+  return seen;
 }
 
 FormEstimate estimate_form(const FormView& v, double data, double noise) {
@@ -187,18 +245,19 @@ FormEstimate estimate_form(const FormView& v, double data, double noise) {
   best.log_likelihood = log_integral(grid, 0.0);
   best.log_likelihood_if_usual = log_integral(grid, v.allowance * middle_tau);
   const double g = data / (best.sigma * best.sigma);
-  const double kappa = 1.0 / (g * best.tau * best.tau);
-  best.step = weigh(v, kappa, g).step;
+  const Scaled likeliest(v, best.tau);
+  best.step = likeliest.weigh(g).step;
   VectorXd along = v.along;
   double whole = v.whole;
   if (best.step.size() > 0) {
     along += v.moved * best.step;
     whole += best.step.dot(2.0 * v.slope + v.gram * best.step);
   }
-  const VectorXd kept = kappa / (kappa + v.lambda.array());
-  best.left = std::sqrt(std::max(
-      0.0,
-      whole - along.squaredNorm() + kept.cwiseProduct(along).squaredNorm()));
+  if (v.has_patterns()) {
+    const VectorXd e = likeliest.likeliest(along, g);
+    whole += e.dot(v.patterns * e - 2.0 * along);
+  }
+  best.left = std::sqrt(std::max(0.0, whole));
   return best;
 }
 

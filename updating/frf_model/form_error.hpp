@@ -2,22 +2,23 @@
 // missing from it: no shear in the section, a corner that is a line, a clamp
 // that is a row of grids. To first order the residual is
 //
-//   r = F e + n,   e ~ N(0, tau^2),   n ~ N(0, sigma^2 / N)
+//   r = F e + n,   e_k ~ N(0, tau^2 + mu_k^2),   n ~ N(0, sigma^2 / N)
 //
 // with the patterns F of FrfModel::form_patterns(), so that it has the
-// covariance sigma^2 / N (I + F F' / kappa), kappa = sigma^2 / (N tau^2). sigma
-// is what else is left, as a relative error; both are estimated from the data,
-// tau under a prior. Whether anything is missing at all is asked of forms no
-// smaller than usual: mistakes of form are not independent from mode to mode,
-// as the patterns are, and a corner that gives looks like a spring; what lies
-// within a usual form is no evidence of anything else. Fits go to the least
-// residual all the same: weighed by this covariance, properties that do to all
-// modes what the form may do would be told by the curvature alone, and four
-// times as many steps be needed. The covariance says how likely what they leave
-// is, and how far it may have driven them. Sources: M. C. Kennedy, A. O'Hagan,
-// "Bayesian calibration of computer models", J. Royal Statistical Society B 63,
-// 2001; E. Simoen, G. De Roeck, G. Lombaert, "Dealing with uncertainty in model
-// updating for damage assessment", MSSP 56-57, 2015.
+// covariance 1 / g (I + g F S^2 F'), S^2 = diag(tau^2 + mu_k^2),
+// g = N / sigma^2. mu is what the mesh still leaves, known from splitting it;
+// sigma is what else is left, as a relative error; it and tau are estimated
+// from the data, tau under a prior. Whether anything is missing at all is asked
+// of forms no smaller than usual: mistakes of form are not independent from
+// mode to mode, as the patterns are, and a corner that gives looks like a
+// spring; what lies within a usual form is no evidence of anything else. Fits
+// go to the least residual all the same: weighed by this covariance, properties
+// that do to all modes what the form may do would be told by the curvature
+// alone, and four times as many steps be needed. The covariance says how likely
+// what they leave is, and how far it may have driven them. Sources: M. C.
+// Kennedy, A. O'Hagan, "Bayesian calibration of computer models", J. Royal
+// Statistical Society B 63, 2001; E. Simoen, G. De Roeck, G. Lombaert, "Dealing
+// with uncertainty in model updating for damage assessment", MSSP 56-57, 2015.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,8 +31,8 @@ inline constexpr double middle_tau = 6e-3;
 
 /// Patterns of stack() that the form may add.
 struct FormError {
-  Eigen::MatrixXd U;       ///< rows of stack() x k, orthonormal
-  Eigen::VectorXd lambda;  ///< F F' = U diag(lambda) U'
+  Eigen::MatrixXd F;        ///< rows of stack() x k
+  Eigen::VectorXd mesh_sd;  ///< k: mu, see FormPatterns
 };
 
 /// How a fit's parameters may still move the residual, to first order: a fit to
@@ -44,19 +45,19 @@ struct Readjustment {
 
 /// A residual seen in the patterns: all that its likelihood needs.
 struct FormView {
-  Eigen::VectorXd lambda;
-  Eigen::VectorXd along;  ///< U' r
+  Eigen::MatrixXd patterns;  ///< F' F
+  Eigen::VectorXd mesh_sd;
+  Eigen::VectorXd along;  ///< F' r
   double whole = 0.0;     ///< r' r
-  Eigen::MatrixXd moved;  ///< U' J
+  Eigen::MatrixXd moved;  ///< F' J
   Eigen::MatrixXd gram;   ///< J' J
   Eigen::VectorXd slope;  ///< J' r
   Eigen::VectorXd precision = {};
   Eigen::VectorXd pull = {};
   double allowance = 1.0;  ///< times what a careful deck is wrong by in form
-};
 
-/// @param F rows of stack() x patterns
-[[nodiscard]] FormError form_error(const Eigen::MatrixXd& F);
+  [[nodiscard]] bool has_patterns() const { return along.size() > 0; }
+};
 
 [[nodiscard]] FormView view(const FormError& form,
                             const Eigen::VectorXd& r,

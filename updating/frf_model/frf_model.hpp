@@ -42,6 +42,15 @@ namespace tapfit::updating {
 
 struct ModalState;
 struct RunResponse;
+struct FormEntry;
+
+/// See FrfModel::form_patterns().
+struct FormPatterns {
+  /// d H / d e_ij times its deviation over tau, lines x pairs each.
+  std::vector<Eigen::MatrixXcd> dH;
+  /// What the mesh leaves of each, in the same measure as tau.
+  Eigen::VectorXd mesh_sd;
+};
 
 /// The model at the measured pairs of an FRF set; or, where modes were measured
 /// instead, its frequencies and shapes beside theirs: a "line" is then a mode,
@@ -97,12 +106,12 @@ class FrfModel {
   /// 2000, p. 277). Three more patterns are what modes have in common, evenly,
   /// in proportion to their frequency, and above the band alone: what a section
   /// without shear, an edge held too well or a mass in the wrong plane does.
-  /// Modes are mixed with the next two that show; rigid ones, and those below the
-  /// lines that answer by their mass, stay as they are.
+  /// Modes are mixed with the next two that show; rigid ones, and those below
+  /// the lines that answer by their mass, stay as they are.
   ///
-  /// @return d H / d e_ij times its deviation over tau, lines x pairs each
-  [[nodiscard]] std::vector<Eigen::MatrixXcd> form_patterns(
-      const ModelState& state, const Eigen::VectorXcd& s) const;
+  /// Beside tau the mesh leaves mesh_left_over of what it changed of e_ij.
+  [[nodiscard]] FormPatterns form_patterns(const ModelState& state,
+                                           const Eigen::VectorXcd& s) const;
 
   /// Receptance columns H* e of the runs on which the effects act alike, in
   /// the base's coordinates (rows of V give any degree of freedom).
@@ -164,8 +173,14 @@ class FrfModel {
       const ModelState& state,
       const Eigen::VectorXcd& s,
       const Eigen::MatrixXd& candidates) const;
-  [[nodiscard]] std::vector<Eigen::MatrixXcd> form_patterns_of_modes(
+  [[nodiscard]] FormPatterns form_patterns_of_modes(
       const ModelState& state) const;
+  // Of which part a factor is that K and M are linear in.
+  [[nodiscard]] std::size_t part_of(std::size_t factor) const;
+  // A pattern's deviation from what the mesh leaves, beside its tau.
+  [[nodiscard]] double left_by_mesh(const ModelState& state,
+                                    const BaseModes& modes,
+                                    const FormEntry& entry) const;
   // By which parameters the modes turn, and how.
   void find_turning(ModalState& shared, double largest) const;
   [[nodiscard]] RunResponse run_lines(const ModalState& shared,

@@ -63,8 +63,8 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   return result;
 }
 
-std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
-                                               const VectorXcd& s) const {
+FormPatterns FrfModel::form_patterns(const ModelState& state,
+                                     const VectorXcd& s) const {
   if (modes_) return form_patterns_of_modes(state);
   constexpr double beyond = 1.3;  // of the band: modes that still show in it
   constexpr double reach = 4.0;   // of the band: those that are modes, not
@@ -119,7 +119,11 @@ std::vector<MatrixXcd> FrfModel::form_patterns(const ModelState& state,
       }
     }
   }
-  return patterns;
+  VectorXd left = VectorXd::Zero(std::ssize(patterns));
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    left(static_cast<Index>(k)) = left_by_mesh(state, shared.modes, entries[k]);
+  }
+  return {std::move(patterns), std::move(left)};
 }
 
 ModelResponse FrfModel::respond(const ModelState& state,

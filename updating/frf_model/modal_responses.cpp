@@ -137,8 +137,7 @@ std::vector<FrfModel::Walk> FrfModel::walk_modes(
   return {std::move(walk)};
 }
 
-std::vector<MatrixXcd> FrfModel::form_patterns_of_modes(
-    const ModelState& state) const {
+FormPatterns FrfModel::form_patterns_of_modes(const ModelState& state) const {
   const ModalData& data = *modes_;
   const ModalState shared = modal_state(state, base_modes(state));
   const auto& [omega, phi] = shared.modes;
@@ -173,6 +172,7 @@ std::vector<MatrixXcd> FrfModel::form_patterns_of_modes(
   const MatrixXd seen =
       data.points() > 0 ? at : MatrixXd::Ones(1, omega.size());
   std::vector<MatrixXcd> patterns;
+  std::vector<double> left;
   for (const auto [i, j] :
        form_entries(omega,
                     seen,
@@ -185,11 +185,15 @@ std::vector<MatrixXcd> FrfModel::form_patterns_of_modes(
     }
     const Index r = measured[static_cast<std::size_t>(i)];
     if (i == j && r >= 0) pattern(r, 0) = even(r, 0);
-    if (!pattern.isZero(0.0)) patterns.push_back(std::move(pattern));
+    if (pattern.isZero(0.0)) continue;
+    patterns.push_back(std::move(pattern));
+    left.push_back(left_by_mesh(state, shared.modes, {i, j}));
   }
   patterns.push_back(std::move(even));
   patterns.push_back(std::move(linear));
-  return patterns;
+  left.resize(patterns.size(), 0.0);
+  return {std::move(patterns),
+          Eigen::Map<VectorXd>(left.data(), std::ssize(left))};
 }
 
 }  // namespace tapfit::updating

@@ -19,7 +19,7 @@ namespace {
 // tau^2 / 4 of the deck's form as the fit tells it: of ln f of a mode.
 double form_variance(const PredictionBasis& basis) {
   const Fit& fit = basis.fit;
-  if (fit.form.lambda.size() == 0) return 0.0;
+  if (!fit.form.has_patterns()) return 0.0;
   const double data =
       independent_data(basis.fitter.target(), fit.result.residual);
   const FormEstimate form =

@@ -54,8 +54,7 @@ std::vector<FrfChange> frf_changes(const ChangedModel& model,
   const ModelState changed = model.changed();
   const MatrixXcd now = model.now->respond(model.state, target.s, false).H;
   const ModelResponse after = model.after->respond(changed, target.s, true);
-  const std::vector<MatrixXcd> form =
-      model.after->form_patterns(changed, target.s);
+  const FormPatterns form = model.after->form_patterns(changed, target.s);
   const Eigen::VectorXd level = target.weight.cwiseInverse();
   const MatrixXcd root = root_of(covariance).cast<std::complex<double>>();
   std::vector<FrfChange> result;
@@ -66,8 +65,9 @@ std::vector<FrfChange> frf_changes(const ChangedModel& model,
       slopes.col(k) = after.dH[static_cast<std::size_t>(k)].col(f);
     }
     double variance = mean_square(level.asDiagonal() * slopes * root);
-    for (const MatrixXcd& pattern : form) {
-      variance += 4.0 * form_variance *
+    for (Index k = 0; k < form.mesh_sd.size(); ++k) {
+      const MatrixXcd& pattern = form.dH[static_cast<std::size_t>(k)];
+      variance += (4.0 * form_variance + form.mesh_sd(k) * form.mesh_sd(k)) *
                   mean_square(level.asDiagonal() * pattern.col(f));
     }
     result.push_back({std::sqrt(mean_square(level.asDiagonal() *

@@ -70,15 +70,17 @@ AssembledBase::AssembledBase(
       system, uncertain_parts(mesh.deck, uncertain), std::move(forms));
 }
 
-std::vector<FormModes> form_modes(const AssembledBase& model) {
+std::vector<FormModes> form_modes(const AssembledBase& model,
+                                  const std::stop_token& stop) {
   std::vector<FormModes> forms;
   for (DeckForm& form : deck_forms(model.mesh.deck)) {
     if (form.of_mass) continue;
     const structure::System other = structure::assemble(form.deck);
-    const structure::Eigenmodes found = structure::eigenmodes_up_to(
-        model.motions.reduce(other.K),
-        model.motions.reduce(model.system.M),
-        model.options.reach * model.options.high_hz);
+    const structure::Eigenmodes found =
+        structure::eigenmodes_up_to(model.motions.reduce(other.K),
+                                    model.motions.reduce(model.system.M),
+                                    model.options.reach * model.options.high_hz,
+                                    stop);
     forms.push_back(
         {std::move(form.correction),
          {model.motions.expand(found.phi).topRows(6 * model.original_grids),

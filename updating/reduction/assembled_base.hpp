@@ -15,6 +15,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace tapfit::updating {
@@ -44,6 +45,7 @@ struct AssembledBase {
 
 /// Modes of the other forms that the deck lacks, on the same mesh, at its own
 /// grids.
-[[nodiscard]] std::vector<FormModes> form_modes(const AssembledBase& model);
+[[nodiscard]] std::vector<FormModes> form_modes(const AssembledBase& model,
+                                                const std::stop_token& stop);
 
 }  // namespace tapfit::updating

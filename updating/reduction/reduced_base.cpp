@@ -156,7 +156,7 @@ ReducedBase BaseBuilder::through_base(const structure::Deck& deck) const {
 }
 
 std::vector<Correction> BaseBuilder::hold_corrections(
-    const BaseBuilder& coarser) {
+    const BaseBuilder& coarser, const Progress& progress) {
   Impl& m = *impl_;
   const Impl& c = *coarser.impl_;
   const Index known = 6 * m.model.original_grids;
@@ -168,7 +168,7 @@ std::vector<Correction> BaseBuilder::hold_corrections(
                             m.wide.V,
                             {{modes, m.modes_hz},
                              {c.modes.topRows(known), c.modes_hz},
-                             form_modes(m.model)},
+                             form_modes(m.model, progress.stop)},
                             *m.model.plain.forms);
   const std::size_t first = m.model.uncertain.size();
   const std::size_t all = first + m.corrected.size();

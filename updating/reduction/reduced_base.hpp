@@ -74,7 +74,8 @@ class BaseBuilder {
   /// Gives the bases further factors, of what the mesh does to the modes and of
   /// forms that the deck lacks: see corrections().
   /// @param coarser the same deck, not split; call once, before build()
-  std::vector<Correction> hold_corrections(const BaseBuilder& coarser);
+  std::vector<Correction> hold_corrections(const BaseBuilder& coarser,
+                                           const Progress& progress = {});
 
   /// Whether the structure can move as a rigid body.
   [[nodiscard]] bool is_free() const;

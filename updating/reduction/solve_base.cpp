@@ -11,6 +11,7 @@
 
 #include <Eigen/Eigenvalues>
 
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -28,7 +29,8 @@ constexpr double worth_holding = 1e-8;
 // What modes with the mass of all forms have beside those of the deck u: bars
 // on lines alone have no modes in which they twist.
 Eigen::MatrixXd shapes_of_forms(const AssembledBase& model,
-                                const Eigen::MatrixXd& u) {
+                                const Eigen::MatrixXd& u,
+                                const std::stop_token& stop) {
   if (model.plain.forms->empty()) return {};
   structure::SparseMatrix M = model.system.M;
   for (const MassForm& form : *model.plain.forms) {
@@ -37,7 +39,8 @@ Eigen::MatrixXd shapes_of_forms(const AssembledBase& model,
   Eigen::MatrixXd beside = model.motions.expand(
       structure::eigenmodes_up_to(model.motions.reduce(model.system.K),
                                   model.motions.reduce(M),
-                                  model.options.reach * model.options.high_hz)
+                                  model.options.reach * model.options.high_hz,
+                                  stop)
           .phi);
   const Eigen::MatrixXd inside =
       u.transpose() * structure::symmetric_product(model.system.M, beside);
@@ -67,7 +70,8 @@ SolvedBase solve_base(const AssembledBase& model,
     structure::Eigenmodes found =
         structure::eigenmodes_up_to(motions.reduce(system.K),
                                     motions.reduce(system.M),
-                                    options.reach * options.high_hz);
+                                    options.reach * options.high_hz,
+                                    progress.stop);
     solved.modes = std::move(found.phi);
     solved.modes_hz = std::move(found.frequency_hz);
   } catch (const structure::SingularMatrix&) {
@@ -76,7 +80,7 @@ SolvedBase solve_base(const AssembledBase& model,
   }
   progress("model: residual flexibility", 0.8);
   const Eigen::MatrixXd u = motions.expand(solved.modes);
-  const Eigen::MatrixXd formed = shapes_of_forms(model, u);
+  const Eigen::MatrixXd formed = shapes_of_forms(model, u, progress.stop);
   Eigen::MatrixXd& V = solved.V;
   // Two with modes to four times the band leave a smaller basis than three with
   // modes to three times it.

@@ -3,16 +3,11 @@
 #include <Eigen/QR>
 
 namespace tapfit::updating {
-namespace {
 
-constexpr double left_over = 0.5;  // of the difference
-
-}  // namespace
-
-Eigen::VectorXd mesh_error(const FrfModel& finer,
-                           const FrfModel& coarser,
-                           const ModelState& state,
-                           const Target& target) {
+double mesh_error(const FrfModel& finer,
+                  const FrfModel& coarser,
+                  const ModelState& state,
+                  const Target& target) {
   const ModelResponse fine = finer.respond(state, target.s, false);
   // The coarser model's derivatives: it knows nothing of a factor for the
   // mesh, which would take the whole difference up.
@@ -24,7 +19,8 @@ Eigen::VectorXd mesh_error(const FrfModel& finer,
   }
   // Modes tell nothing of damping: columns may be zero, and all of them.
   if (J.cols() > 0) d -= J * J.completeOrthogonalDecomposition().solve(d);
-  return left_over * d;
+  constexpr double left_over = 0.5;
+  return left_over * d.norm();
 }
 
 }  // namespace tapfit::updating

@@ -8,17 +8,13 @@
 
 namespace tapfit::updating {
 
-/// What the mesh leaves of the error where its own factor is fitted, from the
-/// same model on a mesh that is one step coarser: half of the difference. Mode
-/// by mode the finer one is still off by a third of it where convergence is
-/// quadratic and by all of it where it is linear, as h, at clamped edges and
-/// inner corners; the factor takes what modes have in common. What uncertain
-/// properties and damping can take up is not counted.
-///
-/// @return as a residual of stack(); its norm is the error
-[[nodiscard]] Eigen::VectorXd mesh_error(const FrfModel& finer,
-                                         const FrfModel& coarser,
-                                         const ModelState& state,
-                                         const Target& target);
+/// What the mesh may leave of the error of the FRFs where its own factor is
+/// fitted, from the same model on a mesh that is one step coarser:
+/// half of the difference. What uncertain properties and damping can
+/// take up is not counted.
+[[nodiscard]] double mesh_error(const FrfModel& finer,
+                                const FrfModel& coarser,
+                                const ModelState& state,
+                                const Target& target);
 
 }  // namespace tapfit::updating

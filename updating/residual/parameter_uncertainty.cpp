@@ -16,35 +16,7 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Bands over which that keeps its sign, about one resonance each.
-constexpr Index bands = 8;
-
-// Where the mesh's error would drive the parameters, band by band: what a fit
-// has left of it is in step within a band, hardly beyond.
-MatrixXd mesh_covariance(const Target& target,
-                         const MatrixXd& J,
-                         const MatrixXd& gain) {
-  const Index n = J.cols();
-  MatrixXd covariance = MatrixXd::Zero(n, n);
-  if (target.mesh_bias.size() != J.rows()) return covariance;
-  const Index lines = target.s.size();
-  const Index parts = J.rows() / std::max<Index>(lines, 1);
-  for (Index band = 0; band < bands; ++band) {
-    const Index first = band * lines / bands;
-    const Index count = (band + 1) * lines / bands - first;
-    VectorXd drive = VectorXd::Zero(n);
-    for (Index part = 0; part < parts; ++part) {
-      const Index at = part * lines + first;
-      drive += J.middleRows(at, count).transpose() *
-               target.mesh_bias.segment(at, count);
-    }
-    const VectorXd bias = gain * drive;
-    covariance += bias * bias.transpose();
-  }
-  return covariance;
-}
-
-// Where the form's error would drive the parameters.
+// Where the errors of form and mesh would drive the parameters.
 MatrixXd form_covariance(const Target& target,
                          const MatrixXd& J,
                          const MatrixXd& gain) {
@@ -108,8 +80,7 @@ MatrixXd parameter_covariance(const Target& target,
   }
   const auto groups = static_cast<double>(score.size());
   const MatrixXd gain = bread / variance;
-  const MatrixXd of_deck =
-      mesh_covariance(target, J, gain) + form_covariance(target, J, gain);
+  const MatrixXd of_deck = form_covariance(target, J, gain);
   // A handful of runs cannot carry a covariance of their own.
   if (groups < 5.0) return within_prior(bread + of_deck, prior_sd);
   MatrixXd meat = MatrixXd::Zero(n, n);

@@ -12,10 +12,10 @@ namespace tapfit::updating {
 /// Two estimates: with the residual's own variance and the independent data
 /// that it holds (residual_data()), and robust against errors that all lines of
 /// a run share (sandwich over runs); of each parameter the wider one counts.
-/// What the mesh and the deck's form may be off by (Target::mesh_bias,
-/// Target::form_bias) is added as the change it would cause. Source: A. C.
-/// Cameron, D. L. Miller, "A practitioner's guide to cluster-robust inference",
-/// J. Human Resources 50, 2015.
+/// What the mesh and the deck's form may be off by (Target::form_bias) is added
+/// as the change it would cause. Source: A. C. Cameron, D. L. Miller, "A
+/// practitioner's guide to cluster-robust inference", J. Human Resources 50,
+/// 2015.
 ///
 /// @param J (2 lines FRFs) x n, of stack()
 /// @param r residual of the same length

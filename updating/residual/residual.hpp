@@ -43,9 +43,8 @@ struct Target {
   int modes_in_band = 0;         ///< as identified; 0: not known
   /// Of modes what all data scatter by, relative; 0: FRFs.
   double modal_sd = 0.0;
-  /// What the mesh may be off by, as a residual of stack(); empty: not known.
-  Eigen::VectorXd mesh_bias = {};
-  /// What the deck's form may add to stack(), a column for each deviation.
+  /// What the deck's form and its mesh may add to stack(), a column for each
+  /// deviation.
   Eigen::MatrixXd form_bias = {};
 
   [[nodiscard]] double count() const;

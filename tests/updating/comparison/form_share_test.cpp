@@ -36,7 +36,7 @@ class FormShares : public ::testing::Test {
     Fit fit;
     fit.result.residual = r;
     fit.result.error = r.norm();
-    fit.form = view(form_error(F), r, {});
+    fit.form = view({F, Eigen::VectorXd::Zero(patterns)}, r, {});
     return form_share(fit, test_.fitter().target(), 0.5 * tau);
   }
   PlateExperiment test_{{}, 0.01, 3};

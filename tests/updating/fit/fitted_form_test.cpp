@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 // The columns that all modes have in common, evenly and by their frequency, are
 // the last but one of FRFs, and the last of modes.
 TEST(LikelyFormBias, HoldsWhatNoResidualTells) {
-  const MatrixXd patterns = MatrixXd::Ones(4, 6);
+  const FormError patterns{MatrixXd::Ones(4, 6), Eigen::VectorXd::Zero(6)};
   const double small = 0.1 * middle_tau;
   Target target;
   const MatrixXd frfs = likely_form_bias(patterns, small, 1.0, target);
@@ -28,10 +28,19 @@ TEST(LikelyFormBias, HoldsWhatNoResidualTells) {
 }
 
 TEST(LikelyFormBias, FollowsAResidualThatTellsMore) {
-  const MatrixXd patterns = MatrixXd::Ones(4, 6);
+  const FormError patterns{MatrixXd::Ones(4, 6), Eigen::VectorXd::Zero(6)};
   const MatrixXd bias =
       likely_form_bias(patterns, 3.0 * middle_tau, 1.0, Target{});
   EXPECT_TRUE(bias.isConstant(3.0 * middle_tau));
+}
+
+TEST(LikelyFormBias, HoldsWhatTheMeshLeavesOfAMode) {
+  FormError patterns{MatrixXd::Ones(4, 6), Eigen::VectorXd::Zero(6)};
+  patterns.mesh_sd(1) = 4.0 * middle_tau;
+  const MatrixXd bias =
+      likely_form_bias(patterns, 3.0 * middle_tau, 1.0, Target{});
+  EXPECT_DOUBLE_EQ(bias(0, 0), 3.0 * middle_tau);
+  EXPECT_DOUBLE_EQ(bias(0, 1), 5.0 * middle_tau);
 }
 
 // What all modes have in common evenly is what the one modulus of the plate
@@ -41,7 +50,8 @@ TEST(FormBias, HoldsTheModulusThirdFromTheEnd) {
   const PlateExperiment test{{}, 0.01, 3};
   const Fitter& fitter = test.fitter();
   const Fit fit = fitter.fit({}, fitter.model_for({}));
-  const MatrixXd F = form_bias(*fit.model, fit.result.state, fitter.target());
+  const MatrixXd F =
+      form_error(*fit.model, fit.result.state, fitter.target()).F;
   const Eigen::VectorXd by_modulus = fit.result.jacobian.col(0);
   Index nearest = 0;
   (F.colwise().normalized().transpose() * by_modulus)

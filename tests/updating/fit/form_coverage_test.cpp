@@ -135,12 +135,7 @@ Fit fit_frame(const support::BasedFrame& base,
   }
   problem.measured = measured.back();
   Fitter fitter(base.builder, problem);
-  const auto model = fitter.model_for({});
-  fitter.set_mesh(base.coarse,
-                  mesh_error(*model,
-                             *Fitter(base.coarse, problem).model_for({}),
-                             fitter.first_state(*model, {}),
-                             fitter.target()));
+  fitter.set_mesh(base.coarse);
   return fitter.fit({}, fitter.model_for({}));
 }
 

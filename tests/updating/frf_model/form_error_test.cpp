@@ -2,8 +2,10 @@
 
 #include "acquisition/foundation/seeded_random.hpp"
 
+#include <Eigen/Cholesky>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tapfit::updating {
@@ -21,11 +23,66 @@ MatrixXd gaussian(SeededRandom& random, Index n, Index m) {
   return MatrixXd::NullaryExpr(n, m, [&] { return random.normal(); });
 }
 
-TEST(FormError, LeavesAPatternThatIsAnotherOut) {
+FormError alike(const MatrixXd& F) { return {F, VectorXd::Zero(F.cols())}; }
+
+// ln p(r) of the whole covariance, sigma^2 / N I + F (tau^2 I + diag(mu^2)) F',
+// in as many dimensions as there are data, tau and sigma on fine grids.
+double dense_log_likelihood(const FormError& form, const VectorXd& r) {
+  const Index n = r.size();
+  const auto N = static_cast<double>(n);
+  const auto log_density = [&](double tau, double sigma) {
+    const VectorXd var = form.mesh_sd.array().square() + tau * tau;
+    MatrixXd C = form.F * var.asDiagonal() * form.F.transpose();
+    C.diagonal().array() += sigma * sigma / N;
+    const Eigen::LLT<MatrixXd> L(C);
+    const double volume = 2.0 * L.matrixLLT().diagonal().array().log().sum();
+    const double off = std::log(tau / middle_tau) / 1.1;
+    // Of unit variance 1 / N a datum: as the estimate counts it.
+    return -0.5 * (volume + N * std::log(N) + r.dot(L.solve(r)) + off * off);
+  };
+  double sum = 0.0;
+  constexpr double step = 0.3;
+  const double reference = log_density(middle_tau, 0.01);
+  for (double tau = 1e-5; tau < 0.2; tau *= std::exp(step)) {
+    double most = -1e300;
+    for (double sigma = 1e-3; sigma < 1.0; sigma *= 1.01) {
+      most = std::max(most, log_density(tau, sigma));
+    }
+    sum += std::exp(most - reference) * step;
+  }
+  return reference + std::log(sum);
+}
+
+// Patterns that are others again, one that the mesh leaves more of than the
+// form, and one of which nothing shows.
+TEST(FormError, IsTheLikelihoodOfItsWholeCovariance) {
+  constexpr Index few = 24;
   SeededRandom random(4, "form");
-  MatrixXd F = gaussian(random, samples, 3);
-  F.col(2) = 2.0 * F.col(0) - F.col(1);
-  EXPECT_EQ(form_error(F).lambda.size(), 2);
+  FormError form{gaussian(random, few, 5), VectorXd::Zero(5)};
+  form.F.col(2) = 2.0 * form.F.col(0) - form.F.col(1);
+  form.F.col(4).setZero();
+  form.mesh_sd(1) = 0.03;
+  const VectorXd r = form.F * (0.02 * gaussian(random, 5, 1)) +
+                     0.01 / std::sqrt(few * 1.0) * gaussian(random, few, 1);
+  const FormEstimate found = estimate_form(view(form, r, {}), few, 0.0);
+  // The search over sigma ends within 2 % of it.
+  EXPECT_NEAR(found.log_likelihood, dense_log_likelihood(form, r), 0.02);
+}
+
+// What the mesh is known to leave of a mode is no sign of the form.
+TEST(FormError, TakesWhatTheMeshLeavesForTheMesh) {
+  SeededRandom random(5, "form");
+  FormError form = alike(10.0 / std::sqrt(samples * 1.0) *
+                         gaussian(random, samples, pattern_count));
+  const VectorXd r =
+      form.F * (0.05 * gaussian(random, pattern_count, 1)) +
+      0.02 / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
+  const double unknown = estimate_form(view(form, r, {}), samples, 0.0).tau;
+  form.mesh_sd.setConstant(0.05);
+  const FormEstimate known = estimate_form(view(form, r, {}), samples, 0.0);
+  EXPECT_GT(unknown, 0.03);
+  EXPECT_LT(known.tau, 0.6 * unknown);
+  EXPECT_NEAR(known.left, 0.02, 0.002);
 }
 
 struct Drawn {
@@ -42,8 +99,7 @@ Drawn draw(unsigned seed, double tau, double sigma) {
   const VectorXd noise =
       sigma / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
   const VectorXd r = F * (tau * gaussian(random, pattern_count, 1)) + noise;
-  return {estimate_form(view(form_error(F), r, {}), samples, 0.0),
-          noise.norm()};
+  return {estimate_form(view(alike(F), r, {}), samples, 0.0), noise.norm()};
 }
 
 TEST(FormError, IsFoundWithWhatIsLeftBeside) {
@@ -91,7 +147,7 @@ TEST(FormError, SaysWhereAParameterIsLikeliest) {
     const VectorXd r = data + J * theta;
     const VectorXd free = VectorXd::Zero(1);
     const FormEstimate found =
-        estimate_form(view(form_error(F), r, {J, free, free}), samples, 0.0);
+        estimate_form(view(alike(F), r, {J, free, free}), samples, 0.0);
     ASSERT_EQ(found.step.size(), 1);
     least += theta * theta;
     likeliest += std::pow(theta + found.step(0), 2);
@@ -111,7 +167,7 @@ double gain_of_explaining(double share, double allowance) {
   const VectorXd noise =
       0.01 / std::sqrt(samples * 1.0) * gaussian(random, samples, 1);
   const VectorXd shifts = VectorXd::Constant(pattern_count, share);
-  const FormError form = form_error(F);
+  const FormError form = alike(F);
   const auto log_likelihood = [&](const VectorXd& r) {
     FormView seen = view(form, r, {});
     seen.allowance = allowance;
@@ -146,7 +202,7 @@ TEST(FormError, FollowsItsAllowanceWhereTheDataLeaveItOpen) {
   const auto mean_tau = [&](double sd, double allowance) {
     const VectorXd shifts = VectorXd::Constant(pattern_count, sd);
     const VectorXd r = F * shifts + noise;
-    FormView seen = view(form_error(F), r, {});
+    FormView seen = view(alike(F), r, {});
     seen.allowance = allowance;
     return estimate_form(seen, samples, 0.0).mean_tau;
   };

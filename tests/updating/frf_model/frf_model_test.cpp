@@ -97,7 +97,7 @@ TEST_F(FrfModelTest, FormPatternsAgreeWithDifferences) {
       {&effects::find("channel-gain"), channel, {1.3}}};
   const auto model = fitter_->model_for(effects);
   const ModelState state = undamped_state(*fitter_, *model, effects);
-  const std::vector<MatrixXcd> patterns = model->form_patterns(state, s_);
+  const std::vector<MatrixXcd> patterns = model->form_patterns(state, s_).dH;
   const BaseModes modes = model->base_modes(state);
   // Entries in order: 11, 12, 13, 22, ...
   const std::vector<std::pair<Index, Index>> entries = {{0, 0}, {0, 1}, {0, 2}};

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <complex>
 
 namespace tapfit::updating {
 namespace {
@@ -96,6 +97,36 @@ TEST_F(MeshAtState, ForetellsTheMeshSplitTwice) {
                            support::plate_context(bundle_, deck),
                            support::plate_pairs(bundle_, VectorXd::Ones(1)));
   EXPECT_EQ(frequencies(elsewhere, state), told);
+}
+
+// The form's patterns say it of each mode, in the order 11, 12, 13, 22, ...:
+// the share of what the mesh's factor does to its stiffness, by differences.
+TEST_F(MeshAtState, LeavesAShareOfWhatItChangedOfEachMode) {
+  const structure::Deck deck = lumped();
+  const BaseBuilder coarse = builder(deck, false);
+  BaseBuilder fine = builder(deck, true);
+  const std::size_t factors = fine.hold_corrections(coarse).size();
+  ModelState state;
+  state.factor.assign(factors, 1.0);
+  state.effects = {clamp_that_gives(deck)};
+  const FrfModel on_fine = model(deck, fine, state.effects[0]);
+  const Eigen::VectorXcd s = Eigen::VectorXcd::Constant(
+      1, std::complex<double>(0.0, on_fine.base_modes(state).omega(0)));
+  const VectorXd left = on_fine.form_patterns(state, s).mesh_sd;
+  const auto stiffness = [&](double factor) {
+    state.factor[0] = factor;
+    return VectorXd(on_fine.base_modes(state).omega.head(2).cwiseAbs2());
+  };
+  constexpr double h = 1e-4;
+  const VectorXd change =
+      (stiffness(1.0 + h) - stiffness(1.0 - h)).cwiseQuotient(stiffness(1.0)) /
+      (2.0 * h);
+  ASSERT_GE(left.size(), 4);
+  EXPECT_GT(std::abs(change(0)), 1e-3);
+  EXPECT_NEAR(left(0), 0.19 * std::abs(change(0)), 1e-6);
+  EXPECT_NEAR(left(3), 0.19 * std::abs(change(1)), 1e-6);
+  // What all modes have in common is fitted.
+  EXPECT_TRUE(left.tail(3).isZero(0.0));
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST_F(ModalResponses, FormPatternsAreThoseOfDifferences) {
   const auto model = fitter().model_for({});
   const ModelState state = fitter().first_state(*model, {});
   const Eigen::VectorXcd& s = fitter().target().s;
-  const std::vector<MatrixXcd> patterns = model->form_patterns(state, s);
+  const std::vector<MatrixXcd> patterns = model->form_patterns(state, s).dH;
   const Eigen::VectorXd omega = model->base_modes(state).omega;
   constexpr double h = 1e-4;
   const auto response = [&](Index i, Index j, double e) {

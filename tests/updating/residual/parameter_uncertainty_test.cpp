@@ -37,8 +37,8 @@ TEST(ParameterUncertainty, WhatTheDataCannotTellApartIsWideNotExact) {
   }
 }
 
-// The mesh's error drives the second parameter, to ten times what its prior
-// allows; with a run for each hit, and with all in one.
+// The deck's error of form drives the second parameter, to ten times what its
+// prior allows; with a run for each hit, and with all in one.
 TEST(ParameterUncertainty, NothingIsKnownLessThanBeforeItWasMeasured) {
   const PlateExperiment test({}, 0.01, 3);
   Target target = test.fitter().target();
@@ -48,7 +48,7 @@ TEST(ParameterUncertainty, NothingIsKnownLessThanBeforeItWasMeasured) {
   std::normal_distribution<double> normal;
   Eigen::MatrixXd J(r.size(), 2);
   for (double& value : J.reshaped()) value = normal(random);
-  target.mesh_bias = J.col(1);
+  target.form_bias = J.col(1);
   const Eigen::VectorXd open =
       Eigen::VectorXd::Constant(2, std::numeric_limits<double>::infinity());
   for (const bool one_run : {false, true}) {

@@ -153,14 +153,17 @@ void refuse_without_modes(const Deck& deck, const SparseMatrix& M) {
 
 }  // namespace
 
-DeckModes deck_modes(const Deck& deck, const System& system, Index count) {
+DeckModes deck_modes(const Deck& deck,
+                     const System& system,
+                     Index count,
+                     const std::stop_token& stop) {
   const FreeMotions motions = free_motions(system);
   const std::vector<int>& free = motions.free;
   const SparseMatrix M = motions.reduce(system.M);
   refuse_without_modes(deck, M);
   DeckModes result;
   try {
-    result.modes = eigenmodes(motions.reduce(system.K), M, count);
+    result.modes = eigenmodes(motions.reduce(system.K), M, count, stop);
   } catch (const SingularMatrix& singular) {
     const int dof = free[static_cast<std::size_t>(singular.row())];
     throw with_notes(

@@ -11,6 +11,7 @@
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,8 @@ struct DeckModes {
 ///   when the solver does not converge
 [[nodiscard]] DeckModes deck_modes(const Deck& deck,
                                    const System& system,
-                                   Eigen::Index count);
+                                   Eigen::Index count,
+                                   const std::stop_token& stop = {});
 
 /// Motions that are held for want of stiffness, and mechanisms among modes of a
 /// deck that were solved for otherwise, as DeckModes::warnings.

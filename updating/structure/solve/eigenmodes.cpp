@@ -17,6 +17,7 @@
 #include <numbers>
 #include <optional>
 #include <stdexcept>
+#include <stop_token>
 
 namespace tapfit::structure {
 namespace {
@@ -126,12 +127,16 @@ Pairs solve_by_masses(const Factor& factor,
   return pairs;
 }
 
+// Well separated by the shift, modes take some ten restarts.
+constexpr Eigen::Index most_restarts = 40;
+
 std::optional<Pairs> solve_lanczos(const Factor& factor,
                                    const SparseMatrix& M,
                                    double sigma,
                                    Eigen::Index count,
-                                   Eigen::Index basis) {
-  ShiftInvert op(factor, M.rows());
+                                   Eigen::Index basis,
+                                   const std::stop_token& stop) {
+  ShiftInvert op(factor, M.rows(), stop);
   MassProduct mass(M);
   Spectra::SymGEigsShiftSolver<ShiftInvert,
                                MassProduct,
@@ -141,7 +146,7 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
   Eigen::Index found = 0;
   try {
     found = solver.compute(Spectra::SortRule::LargestMagn,
-                           300,
+                           most_restarts,
                            1e-11,
                            Spectra::SortRule::SmallestAlge);
   } catch (const InputError&) {
@@ -205,7 +210,8 @@ Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
 
 Eigenmodes eigenmodes(const SparseMatrix& K,
                       const SparseMatrix& M,
-                      Eigen::Index count) {
+                      Eigen::Index count,
+                      const std::stop_token& stop) {
   const Eigen::Index n = K.rows();
   if (n == 0 || count <= 0) return {{}, Eigen::MatrixXd(n, 0)};
   if (!is_finite(K) || !is_finite(M)) throw out_of_scale();
@@ -226,7 +232,7 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   Eigen::Index basis = std::min(n, 2 * asked + 10);
   for (int attempt = 0; attempt < 4; ++attempt) {
     const std::optional<Pairs> raw =
-        solve_lanczos(factor, M, sigma, asked, basis);
+        solve_lanczos(factor, M, sigma, asked, basis, stop);
     if (raw) {
       const Pairs pairs = polish(K, M, raw->phi);
       const std::optional<bool> complete =
@@ -248,12 +254,13 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
 
 Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
                             const SparseMatrix& M,
-                            double max_hz) {
+                            double max_hz,
+                            const std::stop_token& stop) {
   const std::optional<Eigen::Index> counted =
       count_below(K, M, std::pow(two_pi * max_hz, 2));
   Eigen::Index count = counted ? *counted + 1 : Eigen::Index{20};
   while (true) {
-    Eigenmodes modes = eigenmodes(K, M, count);
+    Eigenmodes modes = eigenmodes(K, M, count, stop);
     const Eigen::Index found = modes.frequency_hz.size();
     const Eigen::Index inside = (modes.frequency_hz.array() <= max_hz).count();
     if (inside < found || found < count) {

@@ -10,6 +10,8 @@
 
 #include "updating/structure/solve/system.hpp"
 
+#include <stop_token>
+
 namespace tapfit::structure {
 
 struct Eigenmodes {
@@ -22,15 +24,18 @@ struct Eigenmodes {
 /// @param K, M over the free degrees of freedom only; K may be singular
 ///   (free structures): the shift is chosen below zero
 /// @param count number of modes; cut to what the matrices have
+/// @param stop looked at between two solutions: then Stopped is thrown
 /// @throws InputError when the solver does not converge, or K or M is not
 ///   positive semidefinite
 [[nodiscard]] Eigenmodes eigenmodes(const SparseMatrix& K,
                                     const SparseMatrix& M,
-                                    Eigen::Index count);
+                                    Eigen::Index count,
+                                    const std::stop_token& stop = {});
 
 /// All modes up to a frequency, found by asking for more until one lies above.
 [[nodiscard]] Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
                                           const SparseMatrix& M,
-                                          double max_hz);
+                                          double max_hz,
+                                          const std::stop_token& stop = {});
 
 }  // namespace tapfit::structure

@@ -2,7 +2,11 @@
 #pragma once
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/progress.hpp"
 #include "updating/structure/solve/factor.hpp"
+
+#include <stop_token>
+#include <utility>
 
 namespace tapfit::structure {
 
@@ -19,8 +23,8 @@ class ShiftInvert {
   using Scalar = double;
 
   /// @param factor of K - sigma M; must outlive this
-  ShiftInvert(const Factor& factor, Eigen::Index size)
-      : factor_(factor), size_(size) {}
+  ShiftInvert(const Factor& factor, Eigen::Index size, std::stop_token stop)
+      : factor_(factor), size_(size), stop_(std::move(stop)) {}
 
   [[nodiscard]] Eigen::Index rows() const { return size_; }
   [[nodiscard]] Eigen::Index cols() const { return size_; }
@@ -28,7 +32,9 @@ class ShiftInvert {
   /// Spectra's hook; the factor is made for the shift beforehand.
   void set_shift(double) {}
 
+  /// @throws Stopped
   void perform_op(const double* x, double* y) const {
+    if (stop_.stop_requested()) throw Stopped{};
     const Eigen::Map<const Eigen::VectorXd> in(x, size_);
     Eigen::Map<Eigen::VectorXd> out(y, size_);
     out = factor_.solve(in);
@@ -39,6 +45,7 @@ class ShiftInvert {
  private:
   const Factor& factor_;
   Eigen::Index size_;
+  std::stop_token stop_;
 };
 
 class MassProduct {
