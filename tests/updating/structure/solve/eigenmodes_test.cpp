@@ -1,4 +1,5 @@
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/progress.hpp"
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/solve/factor.hpp"
@@ -7,6 +8,7 @@
 
 #include <cmath>
 #include <random>
+#include <stop_token>
 
 namespace tapfit::structure {
 namespace {
@@ -84,6 +86,13 @@ TEST(Eigenmodes, FindsSomeOfTheRigidModes) {
     ASSERT_EQ(modes.frequency_hz.size(), count);
     EXPECT_LT(modes.frequency_hz(std::min(count, 6) - 1), 0.1);
   }
+}
+
+TEST(Eigenmodes, EndsWhereItsUserAskedItTo) {
+  const System system = assemble(plate_deck({.b = 0.8}, 16, 16));
+  std::stop_source user;
+  user.request_stop();
+  EXPECT_THROW(eigenmodes(system.K, system.M, 7, user.get_token()), Stopped);
 }
 
 TEST(Eigenmodes, FindsEverythingUpToAFrequency) {
