@@ -1,7 +1,6 @@
 #include "updating/frf_model/frf_model.hpp"
 
 #include "updating/effects/stiffness_loss.hpp"
-#include "updating/frf_model/form_entries.hpp"
 #include "updating/frf_model/measurement_chain.hpp"
 #include "updating/frf_model/modal_superposition.hpp"
 #include "updating/frf_model/run_response.hpp"
@@ -193,20 +192,6 @@ std::size_t FrfModel::part_of(std::size_t factor) const {
   const auto at = std::ranges::find_if(base_.part_power, own);
   assert(at != base_.part_power.end());
   return static_cast<std::size_t>(at - base_.part_power.begin());
-}
-
-// e_ij = phi_i' (K - omega_i omega_j M) phi_j / (omega_i omega_j)
-double FrfModel::left_by_mesh(const ModelState& state,
-                              const BaseModes& modes,
-                              const FormEntry& entry) const {
-  if (base_.corrections.empty()) return 0.0;
-  const std::size_t t = part_of(state.factor.size() - base_.corrections.size());
-  const auto [i, j] = entry;
-  const double square = modes.omega(i) * modes.omega(j);
-  const double K = modes.phi.col(i).dot(base_.K_part[t] * modes.phi.col(j));
-  const double M = modes.phi.col(i).dot(base_.M_part[t] * modes.phi.col(j));
-  const double beside = i == j ? 1.0 : M_SQRT2;  // see form_patterns()
-  return mesh_left_over * beside * std::abs(K / square - M);
 }
 
 void FrfModel::set_part(std::size_t factor, MatrixXd K, MatrixXd M) {

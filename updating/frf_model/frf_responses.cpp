@@ -63,6 +63,20 @@ std::vector<FrfModel::Walk> FrfModel::walk_columns(
   return result;
 }
 
+// e_ij = phi_i' (K - omega_i omega_j M) phi_j / (omega_i omega_j)
+double FrfModel::left_by_mesh(const ModelState& state,
+                              const BaseModes& modes,
+                              const FormEntry& entry) const {
+  if (base_.corrections.empty()) return 0.0;
+  const std::size_t t = part_of(state.factor.size() - base_.corrections.size());
+  const auto [i, j] = entry;
+  const double square = modes.omega(i) * modes.omega(j);
+  const double K = modes.phi.col(i).dot(base_.K_part[t] * modes.phi.col(j));
+  const double M = modes.phi.col(i).dot(base_.M_part[t] * modes.phi.col(j));
+  const double beside = i == j ? 1.0 : M_SQRT2;  // see form_patterns()
+  return mesh_left_over * beside * std::abs(K / square - M);
+}
+
 FormPatterns FrfModel::form_patterns(const ModelState& state,
                                      const VectorXcd& s) const {
   if (modes_) return form_patterns_of_modes(state);
