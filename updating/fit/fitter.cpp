@@ -295,12 +295,14 @@ constexpr MinimiseOptions brief{2, 1e-3, 1e-1};
 
 }  // namespace
 
-Fit Fitter::approach(const std::vector<EffectInstance>& start,
-                     std::shared_ptr<const FrfModel> model,
-                     const Progress& progress) const {
+std::optional<Fit> Fitter::approach(const std::vector<EffectInstance>& start,
+                                    std::shared_ptr<const FrfModel> model,
+                                    const Progress& progress,
+                                    double too_much) const {
   ModelState first = start_state(*model, start);
   Course course(*this, std::move(model), std::move(first), progress);
   course.approach(wide);
+  if (course.result().error > too_much) return std::nullopt;
   course.begin_last(brief);
   return std::move(course).finished();
 }

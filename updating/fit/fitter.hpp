@@ -94,9 +94,12 @@ class Fitter {
 
   /// fit() but for its end: the wide lines, then a few steps on those that
   /// count. Its likelihood is, to first order, that of the end.
-  [[nodiscard]] Fit approach(const std::vector<EffectInstance>& start,
-                             std::shared_ptr<const FrfModel> model,
-                             const Progress& progress = {}) const;
+  /// @param too_much error on the wide lines with which it is given up
+  [[nodiscard]] std::optional<Fit> approach(
+      const std::vector<EffectInstance>& start,
+      std::shared_ptr<const FrfModel> model,
+      const Progress& progress = {},
+      double too_much = std::numeric_limits<double>::infinity()) const;
 
   /// The end that approach() leaves out.
   [[nodiscard]] Fit arrive(Fit approached, const Progress& progress = {}) const;

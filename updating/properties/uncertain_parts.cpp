@@ -44,21 +44,18 @@ struct Kind {
   Assemble assemble;
 };
 
-// Elements that count on which the same properties act; these multiply there.
+// Elements on which the same properties act; these multiply there.
 struct Group {
   std::vector<std::size_t> properties;
   std::set<int> elements;
 };
 
 std::vector<Group> grouped(const std::vector<PropertyLaw>& laws,
-                           const std::vector<int>& degree,
-                           const std::function<bool(int)>& wanted) {
+                           const std::vector<int>& degree) {
   std::map<int, std::vector<std::size_t>> of_element;
   for (std::size_t j = 0; j < laws.size(); ++j) {
     if (degree[j] == 0) continue;
-    for (const int id : laws[j].elements) {
-      if (wanted(id)) of_element[id].push_back(j);
-    }
+    for (const int id : laws[j].elements) of_element[id].push_back(j);
   }
   std::map<std::vector<std::size_t>, std::set<int>> alike;
   for (const auto& [id, properties] : of_element) {
@@ -106,10 +103,9 @@ struct Expander {
 Expansion expansion(const Deck& deck,
                     const std::vector<UncertainProperty>& uncertain,
                     const std::vector<PropertyLaw>& laws,
-                    const Kind& kind,
-                    const std::function<bool(int)>& wanted) {
+                    const Kind& kind) {
   Expansion all;
-  for (const Group& group : grouped(laws, kind.degree, wanted)) {
+  for (const Group& group : grouped(laws, kind.degree)) {
     const Expander expander{uncertain, kind, group};
     Expansion own = expander.expand(deck, 0);
     const Powers nominal(uncertain.size(), 0);
@@ -184,9 +180,7 @@ double part_slope(const std::vector<int>& power,
 }
 
 std::vector<UncertainPart> uncertain_parts(
-    const Deck& deck,
-    const std::vector<UncertainProperty>& uncertain,
-    const std::function<bool(int)>& wanted) {
+    const Deck& deck, const std::vector<UncertainProperty>& uncertain) {
   const std::vector<PropertyLaw> laws = laws_of(deck, uncertain);
   if (deck.given) return whole_matrices(*deck.given, laws);
   Kind stiffness{{}, &structure::assemble_stiffness};
@@ -196,12 +190,10 @@ std::vector<UncertainPart> uncertain_parts(
     mass.degree.push_back(law.mass_degree);
   }
   std::map<Powers, UncertainPart> parts;
-  for (const auto& [power, A] :
-       expansion(deck, uncertain, laws, stiffness, wanted)) {
+  for (const auto& [power, A] : expansion(deck, uncertain, laws, stiffness)) {
     parts[power].K = A;
   }
-  for (const auto& [power, A] :
-       expansion(deck, uncertain, laws, mass, wanted)) {
+  for (const auto& [power, A] : expansion(deck, uncertain, laws, mass)) {
     parts[power].M = A;
   }
   const auto n = static_cast<Eigen::Index>(6 * deck.grids.size());

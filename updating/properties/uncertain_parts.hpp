@@ -12,7 +12,6 @@
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace tapfit::updating {
@@ -31,12 +30,10 @@ struct UncertainPart {
                                 const std::vector<double>& factor,
                                 std::size_t j);
 
-/// @param wanted elements that count; for what stands on one side of a joint
 /// @throws InputError for a card or property that the deck does not have, or
 ///   one that is listed twice
 [[nodiscard]] std::vector<UncertainPart> uncertain_parts(
     const structure::Deck& deck,
-    const std::vector<acquisition::UncertainProperty>& uncertain,
-    const std::function<bool(int element)>& wanted = [](int) { return true; });
+    const std::vector<acquisition::UncertainProperty>& uncertain);
 
 }  // namespace tapfit::updating

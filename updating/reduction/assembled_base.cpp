@@ -44,7 +44,8 @@ AssembledBase::AssembledBase(
       uncertain(properties),
       original_grids(static_cast<Eigen::Index>(deck.grids.size())),
       mesh(options.split ? structure::refine_mesh(deck)
-                         : structure::RefinedDeck{deck, {}, {}}) {
+                         : structure::RefinedDeck{deck, {}, {}}),
+      elements(mesh.deck, uncertain) {
   progress("model: assembling", 0.0);
   system = structure::assemble(mesh.deck);
   mass = structure::total_mass(mesh.deck, system);

@@ -265,7 +265,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
     own = release(m.model.mesh,
                   m.model.system,
                   m.model.plain,
-                  m.model.uncertain,
+                  m.model.elements,
                   changes,
                   m.pulled);
     add_regularising_mass(m.model.motions.free, m.model.options.high_hz, *own);

@@ -7,7 +7,6 @@
 #include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/reduction/massless_dofs.hpp"
-#include "updating/structure/assembly/assemble.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -17,7 +16,6 @@
 namespace tapfit::updating {
 namespace {
 
-using acquisition::UncertainProperty;
 using Eigen::Index;
 using structure::Deck;
 using structure::RefinedDeck;
@@ -192,8 +190,8 @@ struct OpenJoint {
 
 // Cuts a joint open and returns the springs that hold it.
 Triplets cut_joint(const RefinedDeck& mesh,
+                   const ElementParts& elements,
                    const StiffnessChange& change,
-                   const std::vector<UncertainProperty>& uncertain,
                    ReleasedSystem& released,
                    std::vector<OpenJoint>& joints) {
   const Cut joint = cut_of(mesh, change);
@@ -215,13 +213,10 @@ Triplets cut_joint(const RefinedDeck& mesh,
   SparseMatrix T(n, static_cast<Index>(joint.partings.size()));
   T.setFromTriplets(directions.begin(), directions.end());
   const std::set<int> side(joint.side.begin(), joint.side.end());
-  const auto wanted = [&side](int id) { return side.contains(id); };
-  released.K = shared(with_joint(
-      *released.K, structure::assemble_stiffness(mesh.deck, wanted), T));
-  released.M = shared(
-      with_joint(*released.M, structure::assemble_mass(mesh.deck, wanted), T));
-  released.parts = shared(parts_with_joint(
-      *released.parts, uncertain_parts(mesh.deck, uncertain, wanted), T));
+  const ElementParts::Sum own = elements.of(side);
+  released.K = shared(with_joint(*released.K, own.K, T));
+  released.M = shared(with_joint(*released.M, own.M, T));
+  released.parts = shared(parts_with_joint(*released.parts, own.parts, T));
   std::vector<MassForm> forms = *released.forms;
   for (MassForm& form : forms) {
     form.M = with_joint(form.M, mass_of(form, mesh.deck, side), T);
@@ -246,39 +241,33 @@ void let_go(const std::vector<Triplets>& springs,
 
 // The stiffness of elements, as it is and as properties change it; and their
 // mass where that is lost with it. Those on the side of a joint turn with it.
-ScaledStiffness stiffness_of(const RefinedDeck& mesh,
-                             const std::vector<UncertainProperty>& uncertain,
-                             const std::vector<int>& elements,
+ScaledStiffness stiffness_of(const ElementParts& elements,
+                             const std::vector<int>& ids,
                              bool thinned,
                              const std::vector<OpenJoint>& joints) {
-  const std::vector<int> ids = mesh.pieces_of(elements);
   const std::set<int> own(ids.begin(), ids.end());
-  const auto wanted = [&own](int id) { return own.contains(id); };
+  ElementParts::Sum sum = elements.of(own);
   ScaledStiffness scaled;
-  scaled.S = structure::assemble_stiffness(mesh.deck, wanted);
-  if (thinned) scaled.N = structure::assemble_mass(mesh.deck, wanted);
-  scaled.parts = uncertain_parts(mesh.deck, uncertain, wanted);
+  scaled.S = std::move(sum.K);
+  if (thinned) scaled.N = std::move(sum.M);
+  scaled.parts = std::move(sum.parts);
   std::erase_if(scaled.parts, [thinned](const UncertainPart& part) {
     return part.K.nonZeros() == 0 && !(thinned && part.M.nonZeros() > 0);
   });
   for (const OpenJoint& joint : joints) {
-    const auto turned = [&](int id) {
-      return own.contains(id) && joint.side.contains(id);
-    };
-    scaled.S = with_joint(
-        scaled.S, structure::assemble_stiffness(mesh.deck, turned), joint.T);
-    if (thinned) {
-      scaled.N = with_joint(
-          scaled.N, structure::assemble_mass(mesh.deck, turned), joint.T);
-    }
-    scaled.parts = parts_with_joint(
-        scaled.parts, uncertain_parts(mesh.deck, uncertain, turned), joint.T);
+    std::set<int> both;
+    std::ranges::set_intersection(
+        own, joint.side, std::inserter(both, both.end()));
+    const ElementParts::Sum turned = elements.of(both);
+    scaled.S = with_joint(scaled.S, turned.K, joint.T);
+    if (thinned) scaled.N = with_joint(scaled.N, turned.M, joint.T);
+    scaled.parts = parts_with_joint(scaled.parts, turned.parts, joint.T);
   }
   return scaled;
 }
 
 void append_elements(const RefinedDeck& mesh,
-                     const std::vector<UncertainProperty>& uncertain,
+                     const ElementParts& elements,
                      const StiffnessChange& change,
                      std::size_t position,
                      const std::vector<OpenJoint>& joints,
@@ -287,8 +276,8 @@ void append_elements(const RefinedDeck& mesh,
   std::vector<std::vector<int>> groups = {where.elements};
   groups.insert(groups.end(), change.beside.begin(), change.beside.end());
   for (std::size_t p = 0; p < groups.size(); ++p) {
-    ScaledStiffness& scaled = released.scaled.emplace_back(
-        stiffness_of(mesh, uncertain, groups[p], takes_mass(where), joints));
+    ScaledStiffness& scaled = released.scaled.emplace_back(stiffness_of(
+        elements, mesh.pieces_of(groups[p]), takes_mass(where), joints));
     scaled.change = position;
     scaled.parameter = p;
   }
@@ -331,7 +320,7 @@ ReleasedSystem nothing_released(const structure::System& system,
 ReleasedSystem release(const RefinedDeck& mesh,
                        const structure::System& system,
                        const ReleasedSystem& plain,
-                       const std::vector<UncertainProperty>& uncertain,
+                       const ElementParts& elements,
                        const std::vector<StiffnessChange>& changes,
                        const Eigen::VectorXd& pulled) {
   ReleasedSystem released = plain;
@@ -347,7 +336,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       let_go(springs.back(), system, released);
     }
     if (change.kind == ChangeKind::Joint) {
-      springs.back() = {cut_joint(mesh, change, uncertain, released, joints)};
+      springs.back() = {cut_joint(mesh, elements, change, released, joints)};
     }
   }
   std::sort(released.held.begin(), released.held.end());
@@ -357,7 +346,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
       released.active.end());
   for (std::size_t k = 0; k < changes.size(); ++k) {
     if (changes[k].kind == ChangeKind::Elements) {
-      append_elements(mesh, uncertain, changes[k], k, joints, released);
+      append_elements(mesh, elements, changes[k], k, joints, released);
     }
     if (changes[k].kind == ChangeKind::Preload) {
       append_preload(mesh, system, changes[k], k, released);

@@ -12,7 +12,7 @@
 // q = 0 is the structure without the joint.
 #pragma once
 
-#include "updating/properties/uncertain_parts.hpp"
+#include "updating/properties/element_parts.hpp"
 #include "updating/reduction/mass_forms.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 #include "updating/structure/mesh/refined_deck.hpp"
@@ -60,6 +60,7 @@ struct ReleasedSystem {
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices
 /// @param plain the same, with nothing released
+/// @param elements of the mesh
 /// @param pulled how hard the modes pull at what holds each degree of freedom,
 ///   relative [N or N m]: where a support gives way, translations that nothing
 ///   pulls at stay held; empty: not known
@@ -67,7 +68,7 @@ struct ReleasedSystem {
     const structure::RefinedDeck& mesh,
     const structure::System& system,
     const ReleasedSystem& plain,
-    const std::vector<acquisition::UncertainProperty>& uncertain,
+    const ElementParts& elements,
     const std::vector<StiffnessChange>& changes,
     const Eigen::VectorXd& pulled = {});
 

@@ -38,14 +38,28 @@ bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
   return a.fit.log_likelihood > b.fit.log_likelihood;
 }
 
-Fit approach_one(const Fit& current,
-                 const EffectInstance& more,
-                 const Fitter& fitter,
-                 const std::shared_ptr<const FrfModel>& shared,
-                 const Progress& progress) {
+std::optional<Fit> approach_one(const Fit& current,
+                                const EffectInstance& more,
+                                const Fitter& fitter,
+                                const std::shared_ptr<const FrfModel>& shared,
+                                const Reach& reach,
+                                const Progress& progress) {
   const std::vector<EffectInstance> effects = with(current, more);
-  return without_jacobian(fitter.approach(
-      effects, shared ? shared : fitter.model_for(effects), progress));
+  std::optional<Fit> fit =
+      fitter.approach(effects,
+                      shared ? shared : fitter.model_for(effects),
+                      progress,
+                      reach.hopeless_wide_error());
+  if (fit) fit = without_jacobian(std::move(*fit));
+  return fit;
+}
+
+std::vector<Hypothesis> those_left(std::vector<std::optional<Fit>> approached) {
+  std::vector<Hypothesis> result;
+  for (std::optional<Fit>& fit : approached) {
+    if (fit) result.push_back({std::move(*fit)});
+  }
+  return result;
 }
 
 Fit arrive(Fit approached, const Fitter& fitter, const Progress& progress) {
@@ -70,13 +84,14 @@ std::vector<Hypothesis> fit_each(const Fit& current,
                                  const Fitter& fitter,
                                  Reach& reach,
                                  const Progress& progress) {
-  std::vector<Hypothesis> result(extras.size());
   const Progress silent{{}, progress.stop};
+  std::vector<std::optional<Fit>> approached(extras.size());
   work_on_each(
-      result.size(), silent, [&](std::size_t k, const Progress& quiet) {
-        result[k].fit =
-            approach_one(current, extras[k], fitter, nullptr, quiet);
+      extras.size(), silent, [&](std::size_t k, const Progress& quiet) {
+        approached[k] =
+            approach_one(current, extras[k], fitter, nullptr, reach, quiet);
       });
+  std::vector<Hypothesis> result = those_left(std::move(approached));
   for (const Hypothesis& h : result) reach.take(h.fit);
   drop_hopeless(result, reach);
   work_on_each(

@@ -6,6 +6,7 @@
 #include "updating/search/reach.hpp"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace tapfit::updating {
@@ -13,13 +14,20 @@ namespace tapfit::updating {
 [[nodiscard]] bool less_error(const Hypothesis& a, const Hypothesis& b);
 [[nodiscard]] bool is_likelier(const Hypothesis& a, const Hypothesis& b);
 
-/// The first pass, for the present effects and one more.
+/// The first pass, for the present effects and one more; nothing where it is
+/// given up on the way.
 /// @param shared its base; null: it gets its own
-[[nodiscard]] Fit approach_one(const Fit& current,
-                               const EffectInstance& more,
-                               const Fitter& fitter,
-                               const std::shared_ptr<const FrfModel>& shared,
-                               const Progress& progress);
+[[nodiscard]] std::optional<Fit> approach_one(
+    const Fit& current,
+    const EffectInstance& more,
+    const Fitter& fitter,
+    const std::shared_ptr<const FrfModel>& shared,
+    const Reach& reach,
+    const Progress& progress);
+
+/// Of the first pass, without what was given up.
+[[nodiscard]] std::vector<Hypothesis> those_left(
+    std::vector<std::optional<Fit>> approached);
 
 /// The second pass.
 /// @return with no jacobian: there are too many of them to keep it

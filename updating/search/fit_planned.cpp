@@ -35,18 +35,21 @@ std::vector<std::vector<Hypothesis>> fit_planned(
     Reach& reach,
     const Progress& progress) {
   share_bases(plans, current, fitter);
-  std::vector<std::vector<Hypothesis>> found(plans.size());
+  std::vector<std::vector<std::optional<Fit>>> approached(plans.size());
   std::vector<std::pair<std::size_t, std::size_t>> all;  // plan, try
   for (std::size_t k = 0; k < plans.size(); ++k) {
-    found[k].resize(plans[k].tries.size());
-    for (std::size_t t = 0; t < found[k].size(); ++t) all.emplace_back(k, t);
+    const std::size_t tries = plans[k].tries.size();
+    approached[k].resize(tries);
+    for (std::size_t t = 0; t < tries; ++t) all.emplace_back(k, t);
   }
   const auto begin = [&](std::size_t n, const Progress& quiet) {
     const auto [k, t] = all[n];
-    found[k][t].fit = approach_one(
-        current, plans[k].tries[t], fitter, plans[k].shared, quiet);
+    approached[k][t] = approach_one(
+        current, plans[k].tries[t], fitter, plans[k].shared, reach, quiet);
   };
   work_on_each(all.size(), part_of(progress, 0.0, 0.6), begin);
+  std::vector<std::vector<Hypothesis>> found;
+  for (auto& kind : approached) found.push_back(those_left(std::move(kind)));
   for (const std::vector<Hypothesis>& kind : found) {
     for (const Hypothesis& h : kind) reach.take(h.fit);
   }

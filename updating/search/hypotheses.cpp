@@ -123,9 +123,6 @@ void climb_from_best(Kind& kind,
   if (!kind.has_neighbours()) return;
   climb_places(
       kind.found, current, fitter, options.neighbours, reach, progress);
-  if (kind.is_loss() && kind.error() > options.explained) {
-    climb_shapes(kind.found, current, fitter, reach, progress);
-  }
 }
 
 // The screening is of first order, and a loss of stiffness or a joint is often
@@ -265,9 +262,12 @@ void try_forms(std::vector<Kind>& kinds,
     if (kind.log_likelihood() > plain && !kind.is_joint()) {
       climb_from_best(kind, current, fitter, options, reach, progress);
     }
+    if (!kind.is_loss() || kind.error() <= options.explained) continue;
+    if (!kind.is_hopeless(reach) && tells(kind.likeliest(), current, fitter)) {
+      climb_shapes(kind.found, current, fitter, reach, progress);
+    }
     // They refine what nothing else explains better.
-    if (kind.is_loss() && kind.error() > options.explained &&
-        kind.error() <= least_error(kinds)) {
+    if (kind.error() <= least_error(kinds)) {
       try_edges(kind, current, fitter, reach, progress);
     }
   }
@@ -289,10 +289,10 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   }
   Reach reach(current, fitter);
   for (const Fit* known : {options.known, options.rival}) {
-    if (known != nullptr) reach.take(*known);
+    if (known != nullptr) reach.take_known(*known, fitter);
   }
   std::vector<Kind> kinds =
-      fitted_kinds(planned_fits(current, screened, fitter, options),
+      fitted_kinds(planned_fits(current, screened, fitter, options, reach),
                    current,
                    fitter,
                    options,

@@ -8,9 +8,9 @@
 // found, their neighbours, and every place of the kinds with few places.
 #pragma once
 
+#include "updating/fit/fitter.hpp"
 #include "updating/search/hypothesis.hpp"
 #include "updating/search/worth_fitting.hpp"
-#include "updating/fit/fitter.hpp"
 
 #include <vector>
 

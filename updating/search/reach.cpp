@@ -3,6 +3,7 @@
 #include "updating/residual/independent_data.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::updating {
 namespace {
@@ -10,6 +11,16 @@ namespace {
 // Of the logarithm of a likelihood: the rest of the way changes it by one or
 // two, and what parameters and places cost by a dozen.
 constexpr double out_of_reach = 15.0;
+
+// Times the error on the wide lines of what is known: of N independent data
+// that is N ln 3 of log likelihood, and of the form's some thirty patterns
+// alone twice what is out of reach.
+constexpr double far_behind = 3.0;
+
+// The screening, of first order, says less than a fit over the wide lines
+// leaves; where the rest has to move far it said up to twice as much, and once
+// four times (1356 fits of nine tests).
+constexpr double screened_high = 2.0;
 
 }  // namespace
 
@@ -24,6 +35,22 @@ double Reach::log_likelihood(const Fit& fit) const {
 void Reach::take(const Fit& fit) {
   most_ = std::max(most_, log_likelihood(fit));
   least_error_ = std::min(least_error_, fit.result.error);
+}
+
+void Reach::take_known(const Fit& fit, const Fitter& fitter) {
+  take(fit);
+  const Target& wide = fitter.problem().targets.front();
+  const Eigen::MatrixXcd H =
+      fit.model->respond(fit.result.state, wide.s, false).H;
+  known_wide_ = std::min(known_wide_, relative_error(wide, H));
+}
+
+double Reach::hopeless_wide_error() const {
+  return std::max(far_behind, std::exp(out_of_reach / data_)) * known_wide_;
+}
+
+double Reach::hopeless_screened_error() const {
+  return screened_high * hopeless_wide_error();
 }
 
 bool Reach::is_hopeless(const Fit& fit) const {

@@ -4,6 +4,8 @@
 
 #include "updating/fit/fitter.hpp"
 
+#include <limits>
+
 namespace tapfit::updating {
 
 class Reach {
@@ -18,6 +20,17 @@ class Reach {
 
   /// Something reaches this.
   void take(const Fit& fit);
+
+  /// The same of a fit that is known beforehand: from the first lines on,
+  /// others are measured by it.
+  void take_known(const Fit& fit, const Fitter& fitter);
+
+  /// An error on the wide lines from which nothing comes near to what is known;
+  /// infinite where nothing is.
+  [[nodiscard]] double hopeless_wide_error() const;
+
+  /// The same of what the screening thinks would be left.
+  [[nodiscard]] double hopeless_screened_error() const;
 
   /// Far less likely than what something reaches, and with more error.
   [[nodiscard]] bool is_hopeless(const Fit& fit) const;
@@ -35,6 +48,7 @@ class Reach {
   double noise_;
   double most_ = -1e300;
   double least_error_ = 1e300;
+  double known_wide_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace tapfit::updating

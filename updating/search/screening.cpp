@@ -148,8 +148,9 @@ class Screening {
         screen_clamps(*current_, *fitter_, *target_, scan_, now_), scan_);
   }
 
-  // Effects at few places, which the model as it is can respond to: those of
-  // sensors and channels. Every size is worked out, none estimated.
+  // Effects at few places, which a model can respond to: those of sensors and
+  // channels. Every size is worked out, none estimated, in the base that their
+  // fits would have: of 35 to 80 coordinates where that for all grids has 150.
   [[nodiscard]] std::vector<Screened> few() const {
     std::vector<EffectInstance> candidates;
     for (const effects::Effect* effect : effects::catalogue()) {
@@ -159,15 +160,22 @@ class Screening {
         continue;
       }
       for (const Location& place : fitter_->places(*effect)) {
-        candidates.push_back({effect, place, {}});
+        candidates.push_back(placed(*effect, place, context_));
       }
     }
+    std::vector<EffectInstance> together = current_->effects;
+    together.insert(together.end(), candidates.begin(), candidates.end());
+    const auto model = fitter_->model_for(together);
+    const MatrixXcd now =
+        model->respond(current_->result.state, target_->s, false).H;
     std::vector<Screened> result(candidates.size());
     for_each_parallel(candidates.size(), [&](std::size_t k) {
       const EffectInstance& candidate = candidates[k];
-      result[k] = scanned(
-          candidate.effect->parameters(candidate.where, context_),
-          [&](const auto& tried) { return best_response(candidate, tried); });
+      result[k] =
+          scanned(candidate.effect->parameters(candidate.where, context_),
+                  [&](const auto& tried) {
+                    return best_response(candidate, tried, *model, now);
+                  });
     });
     return result;
   }
@@ -223,16 +231,19 @@ class Screening {
     return best_of(effect, tried, place_scan_.errors(b, z));
   }
 
-  // The same for an effect that the model itself can respond to.
+  // The same for an effect that a model can respond to.
+  // @param now its FRFs without
   [[nodiscard]] Screened best_response(
       const EffectInstance& candidate,
-      const std::vector<std::vector<double>>& tried) const {
+      const std::vector<std::vector<double>>& tried,
+      const FrfModel& model,
+      const MatrixXcd& now) const {
     ModelState state = current_->result.state;
     state.effects.push_back(candidate);
     MatrixXd changes(2 * target_->H.size(), static_cast<Index>(tried.size()));
-    const auto H = current_->model->respond_at_sizes(state, tried, target_->s);
+    const auto H = model.respond_at_sizes(state, tried, target_->s);
     for (std::size_t k = 0; k < tried.size(); ++k) {
-      changes.col(static_cast<Index>(k)) = scan_.change(H[k] - now_);
+      changes.col(static_cast<Index>(k)) = scan_.change(H[k] - now);
     }
     return best_of(candidate, tried, scan_.errors(changes));
   }

@@ -61,7 +61,8 @@ std::vector<EffectInstance> worth_fitting(const effects::Effect& effect,
                                           const Fit& current,
                                           const std::vector<Screened>& screened,
                                           const Fitter& fitter,
-                                          const HypothesisOptions& options) {
+                                          const HypothesisOptions& options,
+                                          const Reach& reach) {
   const effects::TestContext& context = fitter.problem().context;
   std::vector<EffectInstance> tries;
   // Sensors and channels are few and each differs from the others. Their
@@ -103,7 +104,8 @@ std::vector<EffectInstance> worth_fitting(const effects::Effect& effect,
     if (!few && count == most_places) break;
     // A tight wire is far from small, and its first order tells little.
     const bool promising =
-        s.error <= options.promising * screened.front().error;
+        s.error <= options.promising * screened.front().error &&
+        s.error <= reach.hopeless_screened_error();
     if (!promising && !(few && is_preload)) break;
     const bool held = is_held(s.placed.where);
     if (held && s.error > rival_error * screened.front().error) break;
@@ -132,14 +134,16 @@ std::vector<EffectInstance> worth_fitting(const effects::Effect& effect,
 std::vector<Planned> planned_fits(const Fit& current,
                                   const std::vector<Screened>& screened,
                                   const Fitter& fitter,
-                                  const HypothesisOptions& options) {
+                                  const HypothesisOptions& options,
+                                  const Reach& reach) {
   std::vector<Planned> result;
   for (const effects::Effect* effect : effects::catalogue()) {
     // A ratio for each mode is fitted along: a law explains no more.
     if (effect->entry() == effects::Entry::Damping) continue;
     Planned plan;
     plan.effect = effect;
-    plan.tries = worth_fitting(*effect, current, screened, fitter, options);
+    plan.tries =
+        worth_fitting(*effect, current, screened, fitter, options, reach);
     const Fit* known = options.known;
     if (known != nullptr && known->effects.back().effect == effect) {
       plan.known = known;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "updating/fit/fitter.hpp"
+#include "updating/search/reach.hpp"
 #include "updating/search/screened.hpp"
 
 #include <functional>
@@ -44,10 +45,12 @@ struct Planned {
                               const EffectInstance& candidate);
 
 /// @param screened the least error first
+/// @param reach of what is known beforehand
 [[nodiscard]] std::vector<Planned> planned_fits(
     const Fit& current,
     const std::vector<Screened>& screened,
     const Fitter& fitter,
-    const HypothesisOptions& options);
+    const HypothesisOptions& options,
+    const Reach& reach);
 
 }  // namespace tapfit::updating

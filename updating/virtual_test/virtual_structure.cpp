@@ -113,7 +113,7 @@ void cut_joint(const VirtualModel& model,
   const ReleasedSystem cut = release({fine, model.children, {}},
                                      system,
                                      nothing_released(system, {}),
-                                     {},
+                                     ElementParts(fine, {}),
                                      {change});
   if (cut.dofs() == static_cast<Eigen::Index>(system.dofs())) {
     throw InputError(

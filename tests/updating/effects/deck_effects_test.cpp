@@ -369,7 +369,7 @@ TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
   const ReleasedSystem released = release({whole->deck, {}, {}},
                                           system,
                                           nothing_released(system, {}),
-                                          {},
+                                          ElementParts(whole->deck, {}),
                                           {change});
   const structure::SparseMatrix K =
       *released.K + joint.p[0] * released.scaled.front().S;

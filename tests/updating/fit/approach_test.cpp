@@ -2,9 +2,11 @@
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/residual/independent_data.hpp"
+#include "updating/search/reach.hpp"
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -50,7 +52,8 @@ class Approach : public ::testing::Test {
 TEST_F(Approach, TellsHowLikelyTheEndIs) {
   const Fitter& fitter = test_->fitter();
   for (const EffectInstance& effect : tries_) {
-    const Fit begun = fitter.approach({effect}, fitter.model_for({effect}));
+    const Fit begun =
+        fitter.approach({effect}, fitter.model_for({effect})).value();
     const Fit end = fitter.arrive(begun);
     const bool far = effect.effect->name() == "absorber";
     EXPECT_NEAR(begun.log_likelihood, end.log_likelihood, far ? 25.0 : 1.0)
@@ -64,13 +67,37 @@ TEST_F(Approach, AndArrivalEndWhereAFitDoes) {
   for (const EffectInstance& effect : tries_) {
     const auto model = fitter.model_for({effect});
     const Fit whole = fitter.fit({effect}, model);
-    const Fit parted = fitter.arrive(fitter.approach({effect}, model));
+    const Fit parted = fitter.arrive(fitter.approach({effect}, model).value());
     const Eigen::VectorXd sd = whole.result.covariance.diagonal().cwiseSqrt();
     const Eigen::VectorXd off =
         (pack(parted.result.state) - pack(whole.result.state)).cwiseAbs();
     EXPECT_LE((off.array() / sd.array()).maxCoeff(), 0.1)
         << effect.effect->name() << " at " << effect.where.node;
   }
+}
+
+// What is given up on the wide lines ends out of reach of what is known.
+TEST_F(Approach, IsGivenUpWhereWhatIsKnownStaysFarAhead) {
+  const Fitter& fitter = test_->fitter();
+  const Fit none = fitter.fit({}, fitter.model_for({}));
+  Reach reach(none, fitter);
+  EXPECT_EQ(reach.hopeless_wide_error(),
+            std::numeric_limits<double>::infinity());
+  const EffectInstance& right = tries_.front();
+  reach.take_known(fitter.fit({right}, fitter.model_for({right})), fitter);
+  int given_up = 0;
+  for (const EffectInstance& effect : tries_) {
+    const auto model = fitter.model_for({effect});
+    const std::optional<Fit> begun =
+        fitter.approach({effect}, model, {}, reach.hopeless_wide_error());
+    if (begun) continue;
+    ++given_up;
+    EXPECT_TRUE(reach.is_hopeless(fitter.fit({effect}, model)))
+        << effect.effect->name() << " at " << effect.where.node;
+  }
+  EXPECT_GE(given_up, 1);
+  EXPECT_TRUE(fitter.approach(
+      {right}, fitter.model_for({right}), {}, reach.hopeless_wide_error()));
 }
 
 // Fits of more or fewer modes are compared: one count of data is for all.

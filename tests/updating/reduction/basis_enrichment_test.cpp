@@ -40,8 +40,11 @@ class ChangedMotions : public ::testing::Test {
         split ? structure::refine_mesh(deck_)
               : structure::RefinedDeck{deck_, {}, {}};
     const structure::System system = structure::assemble(mesh.deck);
-    const ReleasedSystem whole =
-        release(mesh, system, nothing_released(system, {}), {}, {change});
+    const ReleasedSystem whole = release(mesh,
+                                         system,
+                                         nothing_released(system, {}),
+                                         ElementParts(mesh.deck, {}),
+                                         {change});
     const StiffnessTerm& term = base.terms.front();
     double worst = 0.0;
     for (const double p :

@@ -52,8 +52,11 @@ TEST(ReleasedCrack, HasTheModesOfADeckThatIsParted) {
   change.of.where.nodes = {6, 17, 28};
   change.of.where.variant = updating::crack;
   const structure::System system = structure::assemble(whole);
-  const ReleasedSystem released = release(
-      {whole, {}, {}}, system, nothing_released(system, {}), {}, {change});
+  const ReleasedSystem released = release({whole, {}, {}},
+                                          system,
+                                          nothing_released(system, {}),
+                                          ElementParts(whole, {}),
+                                          {change});
   const Eigen::VectorXd intact = structure::modes_of(whole, 6).frequency_hz;
   for (const double k : {1e6, 1e11, 1e16}) {
     const structure::SparseMatrix K =
@@ -94,8 +97,11 @@ TEST(ReleasedCrack, TakesTheStiffnessOfElementsBesideItWithIt) {
   }
   loss.of.where.variant = pocket;
   const structure::System system = structure::assemble(whole);
-  const ReleasedSystem released = release(
-      {whole, {}, {}}, system, nothing_released(system, {}), {}, {crack, loss});
+  const ReleasedSystem released = release({whole, {}, {}},
+                                          system,
+                                          nothing_released(system, {}),
+                                          ElementParts(whole, {}),
+                                          {crack, loss});
   ASSERT_EQ(released.scaled.size(), 2U);
   const ScaledStiffness& lost = released.scaled.back();
   EXPECT_LT((*released.K - lost.S).norm(), 1e-12 * released.K->norm());

@@ -1,0 +1,141 @@
+#include "updating/properties/element_parts.hpp"
+
+#include "updating/structure/assembly/assemble.hpp"
+
+#include <utility>
+
+namespace tapfit::updating {
+namespace {
+
+// Some 30 kB each; of a fine mesh others are worked out again.
+constexpr std::size_t most_kept = 4000;
+
+using structure::Deck;
+using structure::SparseMatrix;
+using Triplets = std::vector<Eigen::Triplet<double>>;
+
+// What element matrices depend on besides the element and its grids.
+Deck cards_of(const Deck& deck) {
+  Deck cards;
+  cards.path = deck.path;
+  cards.systems = deck.systems;
+  cards.materials = deck.materials;
+  cards.shell_properties = deck.shell_properties;
+  cards.bar_properties = deck.bar_properties;
+  cards.rod_properties = deck.rod_properties;
+  cards.solid_properties = deck.solid_properties;
+  cards.coupled_mass = deck.coupled_mass;
+  cards.weight_to_mass = deck.weight_to_mass;
+  return cards;
+}
+
+std::vector<int> grids_of(const structure::Shell& e) { return e.all_grids(); }
+std::vector<int> grids_of(const structure::Solid& e) { return e.all_grids(); }
+template <class Bar>
+std::vector<int> grids_of(const Bar& e) {
+  return {e.grids.begin(), e.grids.end()};
+}
+
+// Sums of matrices that are given over some of the degrees of freedom.
+class Gathered {
+ public:
+  void add(const SparseMatrix& A, const std::vector<int>& dofs) {
+    for (Eigen::Index c = 0; c < A.outerSize(); ++c) {
+      const int column = dofs[static_cast<std::size_t>(c)];
+      for (SparseMatrix::InnerIterator it(A, c); it; ++it) {
+        const int row = dofs[static_cast<std::size_t>(it.row())];
+        entries_.emplace_back(row, column, it.value());
+      }
+    }
+  }
+
+  [[nodiscard]] SparseMatrix result(Eigen::Index n) const {
+    SparseMatrix A(n, n);
+    A.setFromTriplets(entries_.begin(), entries_.end());
+    return A;
+  }
+
+ private:
+  Triplets entries_;
+};
+
+}  // namespace
+
+ElementParts::ElementParts(
+    const Deck& deck, std::vector<acquisition::UncertainProperty> uncertain)
+    : deck_(&deck), cards_(cards_of(deck)), uncertain_(std::move(uncertain)) {
+  const auto take = [this](const auto& elements) {
+    for (std::size_t k = 0; k < elements.size(); ++k) at_[elements[k].id] = k;
+  };
+  take(deck.shells);
+  take(deck.bars);
+  take(deck.rods);
+  take(deck.solids);
+}
+
+// As if the element were the whole deck.
+ElementParts::Own ElementParts::work_out(int element) const {
+  Own own;
+  const auto at = at_.find(element);
+  if (at == at_.end()) return own;
+  Deck alone = cards_;
+  const auto take = [&](const auto& elements, auto& of_one) {
+    if (at->second >= elements.size()) return;
+    const auto& e = elements[at->second];
+    if (e.id != element) return;
+    of_one.push_back(e);
+    for (const int grid : grids_of(e)) {
+      if (alone.has_grid(grid)) continue;
+      alone.grids.push_back(deck_->grid(grid));
+    }
+  };
+  take(deck_->shells, alone.shells);
+  take(deck_->bars, alone.bars);
+  take(deck_->rods, alone.rods);
+  take(deck_->solids, alone.solids);
+  for (const structure::Grid& grid : alone.grids) {
+    const int first = 6 * static_cast<int>(deck_->grid_index(grid.id));
+    for (int c = 0; c < 6; ++c) own.dofs.push_back(first + c);
+  }
+  const auto all = [](int) { return true; };
+  own.sum = {structure::assemble_stiffness(alone, all),
+             structure::assemble_mass(alone, all),
+             uncertain_parts(alone, uncertain_)};
+  return own;
+}
+
+std::shared_ptr<const ElementParts::Own> ElementParts::own(int element) const {
+  {
+    const std::scoped_lock lock(mutex_);
+    const auto known = known_.find(element);
+    if (known != known_.end()) return known->second;
+  }
+  auto fresh = std::make_shared<const Own>(work_out(element));
+  const std::scoped_lock lock(mutex_);
+  if (known_.size() < most_kept) known_.try_emplace(element, fresh);
+  return fresh;
+}
+
+ElementParts::Sum ElementParts::of(const std::set<int>& elements) const {
+  Gathered K;
+  Gathered M;
+  std::map<std::vector<int>, std::pair<Gathered, Gathered>> parts;
+  for (const int id : elements) {
+    const std::shared_ptr<const Own> e = own(id);
+    K.add(e->sum.K, e->dofs);
+    M.add(e->sum.M, e->dofs);
+    for (const UncertainPart& part : e->sum.parts) {
+      auto& [of_K, of_M] = parts[part.power];
+      of_K.add(part.K, e->dofs);
+      of_M.add(part.M, e->dofs);
+    }
+  }
+  const auto n = static_cast<Eigen::Index>(6 * deck_->grids.size());
+  Sum sum{K.result(n), M.result(n), {}};
+  for (const auto& [power, of] : parts) {
+    sum.parts.push_back({power, of.first.result(n), of.second.result(n)});
+  }
+  return sum;
+}
+
+}  // namespace tapfit::updating
