@@ -12,7 +12,7 @@ std::vector<FormEntry> form_entries(const VectorXd& omega,
                                     const Eigen::MatrixXd& at_points,
                                     double lowest,
                                     Index modes) {
-  constexpr std::size_t neighbours = 2;
+  constexpr std::size_t neighbours = 5;
   constexpr double hidden = 1e-3;  // of what shows most
   const VectorXd shown = at_points.colwise().norm().transpose();
   const double most = modes > 0 ? shown.head(modes).maxCoeff() : 0.0;

@@ -25,7 +25,7 @@ inline constexpr double form_below = 0.5;
 /// that by (1 - 1/3) / sqrt(12).
 inline constexpr double mesh_left_over = 0.19;
 
-/// Each of the first modes with itself and with the next two that show at the
+/// Each of the first modes with itself and with the next five that show at the
 /// points: those across the direction measured are none of its neighbours.
 ///
 /// @param omega of the modes, ascending [rad/s]

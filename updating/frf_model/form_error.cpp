@@ -126,6 +126,9 @@ struct Density {
   double sigma = 0.0;
 };
 
+// Of ln sigma.
+constexpr double close = 0.02;
+
 double log_density(const FormView& v,
                    const Scaled& at,
                    double data,
@@ -137,18 +140,10 @@ double log_density(const FormView& v,
                  weighed.square + off * off);
 }
 
-// The sigma that is likeliest with tau, by golden section of its logarithm. Its
-// width, 1 / sqrt(2 N), is the same for all that are compared.
-Density best_sigma(
-    const FormView& v, double data, double tau, double bottom, double top) {
+// The largest of a function with one top, by golden section.
+template <typename Function>
+Density top_of(const Function& at, double low, double high) {
   constexpr double golden = 0.618033988749895;
-  constexpr double close = 0.02;
-  double low = std::log(bottom);
-  double high = std::log(top);
-  const Scaled scaled(v, tau);
-  const auto at = [&](double x) {
-    return log_density(v, scaled, data, std::exp(x), tau);
-  };
   double a = high - golden * (high - low);
   double b = low + golden * (high - low);
   double fa = at(a);
@@ -171,15 +166,96 @@ Density best_sigma(
   return fa > fb ? Density{fa, std::exp(a)} : Density{fb, std::exp(b)};
 }
 
+struct Range {
+  double bottom = 0.0;
+  double top = 0.0;
+};
+
+// The sigma that is likeliest with tau; near that of a tau beside it, where
+// there is one. Its width, 1 / sqrt(2 N), is the same for all that are
+// compared.
+Density best_sigma(const FormView& v,
+                   double data,
+                   double tau,
+                   const Range& sigma,
+                   double near) {
+  constexpr double reach = 0.25;
+  const Scaled scaled(v, tau);
+  const auto at = [&](double x) {
+    return log_density(v, scaled, data, std::exp(x), tau);
+  };
+  const double bottom = std::log(sigma.bottom);
+  const double top = std::log(sigma.top);
+  if (near > 0.0) {
+    const double low = std::max(bottom, std::log(near) - reach);
+    const double high = std::min(top, std::log(near) + reach);
+    const Density found = top_of(at, low, high);
+    const double x = std::log(found.sigma);
+    const bool above = x > low + close || low == bottom;
+    const bool below = x < high - close || high == top;
+    if (above && below) return found;
+  }
+  return top_of(at, bottom, top);
+}
+
 // One tau of the grid.
 struct Tried {
   double tau = 0.0;
   double log_density = 0.0;
+  double sigma = 0.0;  // the likeliest with it
 };
 
 // Of the grid's step around a tau the share that is no less than a least tau.
 double share_above(double least, double tau) {
   return std::clamp(0.5 + std::log(tau / least) / grid_step, 0.0, 1.0);
+}
+
+// Every third tau, and those between where they count: in the integral over all
+// taus, or over those that are usual and more.
+std::vector<Tried> tried_grid(const FormView& v,
+                              double data,
+                              double noise,
+                              double usual) {
+  constexpr std::size_t coarse = 3;
+  constexpr double nothing = 25.0;  // of log density below the most
+  const double top = std::sqrt(std::max(v.whole, 1e-30));
+  const Range sigma{std::max(std::min(noise, 0.99 * top), 1e-3 * top), top};
+  const auto at = [&](double tau, double near) {
+    const Density found = best_sigma(v, data, tau, sigma, near);
+    return Tried{tau, found.log, found.sigma};
+  };
+  std::vector<double> taus;
+  for (double tau = least_tau; tau < most_tau; tau *= std::exp(grid_step)) {
+    taus.push_back(tau);
+  }
+  std::vector<Tried> rough;
+  for (std::size_t k = 0; k < taus.size(); k += coarse) {
+    rough.push_back(at(taus[k], rough.empty() ? 0.0 : rough.back().sigma));
+  }
+  double most = -1e300;
+  double most_usual = -1e300;
+  for (const Tried& tried : rough) {
+    most = std::max(most, tried.log_density);
+    if (tried.tau < usual) continue;
+    most_usual = std::max(most_usual, tried.log_density);
+  }
+  std::vector<Tried> grid;
+  for (std::size_t k = 0; k < rough.size(); ++k) {
+    grid.push_back(rough[k]);
+    const Tried& next = rough[std::min(k + 1, rough.size() - 1)];
+    const double here = std::max(rough[k].log_density, next.log_density);
+    const bool holds_usual = rough[k].tau < usual && usual <= next.tau;
+    const bool counts = here > most - nothing ||
+                        (next.tau >= usual && here > most_usual - nothing) ||
+                        holds_usual;
+    if (!counts) continue;
+    for (std::size_t j = coarse * k + 1;
+         j < std::min(coarse * (k + 1), taus.size());
+         ++j) {
+      grid.push_back(at(taus[j], rough[k].sigma));
+    }
+  }
+  return grid;
 }
 
 // ln of the integral of the density over ln tau, from a least tau on.
@@ -214,7 +290,9 @@ FormView view(const FormError& form,
               const VectorXd& r,
               const Readjustment& fit) {
   FormView seen;
-  seen.patterns = form.F.transpose() * form.F;
+  seen.patterns.setZero(form.F.cols(), form.F.cols());
+  seen.patterns.selfadjointView<Eigen::Lower>().rankUpdate(form.F.transpose());
+  seen.patterns = MatrixXd(seen.patterns.selfadjointView<Eigen::Lower>());
   seen.mesh_sd = form.mesh_sd;
   seen.along = form.F.transpose() * r;
   seen.whole = r.squaredNorm();
@@ -228,22 +306,15 @@ FormView view(const FormError& form,
 }
 
 FormEstimate estimate_form(const FormView& v, double data, double noise) {
-  const double top = std::sqrt(std::max(v.whole, 1e-30));
-  const double bottom = std::max(std::min(noise, 0.99 * top), 1e-3 * top);
-  std::vector<Tried> grid;
+  const double usual = v.allowance * middle_tau;
+  const std::vector<Tried> grid = tried_grid(v, data, noise, usual);
+  const Tried& top = *std::ranges::max_element(grid, {}, &Tried::log_density);
   FormEstimate best;
-  double most = -1e300;
-  for (double tau = least_tau; tau < most_tau; tau *= std::exp(grid_step)) {
-    const Density at = best_sigma(v, data, tau, bottom, top);
-    grid.push_back({tau, at.log});
-    if (at.log <= most) continue;
-    most = at.log;
-    best.tau = tau;
-    best.sigma = at.sigma;
-  }
-  best.mean_tau = mean_tau_of(grid, most);
+  best.tau = top.tau;
+  best.sigma = top.sigma;
+  best.mean_tau = mean_tau_of(grid, top.log_density);
   best.log_likelihood = log_integral(grid, 0.0);
-  best.log_likelihood_if_usual = log_integral(grid, v.allowance * middle_tau);
+  best.log_likelihood_if_usual = log_integral(grid, usual);
   const double g = data / (best.sigma * best.sigma);
   const Scaled likeliest(v, best.tau);
   best.step = likeliest.weigh(g).step;

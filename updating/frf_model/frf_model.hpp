@@ -106,7 +106,7 @@ class FrfModel {
   /// 2000, p. 277). Three more patterns are what modes have in common, evenly,
   /// in proportion to their frequency, and above the band alone: what a section
   /// without shear, an edge held too well or a mass in the wrong plane does.
-  /// Modes are mixed with the next two that show; rigid ones, and those below
+  /// Modes are mixed with the next five that show; rigid ones, and those below
   /// the lines that answer by their mass, stay as they are.
   ///
   /// Beside tau the mesh leaves mesh_left_over of what it changed of e_ij.

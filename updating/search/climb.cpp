@@ -123,7 +123,7 @@ void climb_cracks(std::vector<Hypothesis>& found,
     }
     return places;
   };
-  climb(found, is_likelier, current, fitter, near, reach, progress);
+  climb(found, less_error, current, fitter, near, reach, progress);
 }
 
 }  // namespace tapfit::updating

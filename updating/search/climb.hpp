@@ -30,6 +30,7 @@ void climb_shapes(std::vector<Hypothesis>& found,
                   const Progress& progress);
 
 /// The same from crack to crack: one begins and ends at some grid of its line.
+/// By the error, too, as one that is too short still leaves much.
 void climb_cracks(std::vector<Hypothesis>& found,
                   const Fit& current,
                   const Fitter& fitter,

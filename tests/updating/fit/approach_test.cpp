@@ -3,6 +3,7 @@
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/residual/independent_data.hpp"
 #include "updating/search/reach.hpp"
+#include "updating/search/worth_fitting.hpp"
 
 #include <gtest/gtest.h>
 
@@ -98,6 +99,25 @@ TEST_F(Approach, IsGivenUpWhereWhatIsKnownStaysFarAhead) {
   EXPECT_GE(given_up, 1);
   EXPECT_TRUE(fitter.approach(
       {right}, fitter.model_for({right}), {}, reach.hopeless_wide_error()));
+}
+
+// Nor is begun what the screening sees farther behind than it may be wrong.
+TEST_F(Approach, IsNotTriedWhereTheScreeningLeavesFarMore) {
+  const Fitter& fitter = test_->fitter();
+  const Fit none = fitter.fit({}, fitter.model_for({}));
+  const EffectInstance& right = tries_.front();
+  Reach reach(none, fitter);
+  reach.take_known(fitter.fit({right}, fitter.model_for({right})), fitter);
+  const auto tried = [&](double screened_error) {
+    std::size_t count = 0;
+    for (const Planned& plan :
+         planned_fits(none, {{right, screened_error}}, fitter, {}, reach)) {
+      if (plan.effect == right.effect) count += plan.tries.size();
+    }
+    return count;
+  };
+  EXPECT_EQ(tried(0.9 * reach.hopeless_screened_error()), 1U);
+  EXPECT_EQ(tried(1.1 * reach.hopeless_screened_error()), 0U);
 }
 
 // Fits of more or fewer modes are compared: one count of data is for all.

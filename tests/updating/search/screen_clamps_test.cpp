@@ -33,9 +33,10 @@ class FreeDeck {
   // What a base is built for.
   [[nodiscard]] std::vector<Location> asked_for() const {
     const std::vector<Screened> all = screen(fit_, test_.fitter(), {});
+    const Reach reach(fit_, test_.fitter());
     std::vector<Location> places;
     for (const Planned& plan :
-         planned_fits(fit_, all, test_.fitter(), HypothesisOptions{})) {
+         planned_fits(fit_, all, test_.fitter(), HypothesisOptions{}, reach)) {
       for (const EffectInstance& tried : plan.tries) {
         if (is_held(tried.where)) places.push_back(tried.where);
       }
