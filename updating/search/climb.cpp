@@ -54,15 +54,15 @@ void climb(std::vector<Hypothesis>& found,
       all.insert(all.end(), tries.begin(), tries.end());
       shared = fitter.model_for(all);
     }
-    const Fit before = std::ranges::min_element(found, is_likelier)->fit;
+    const Hypothesis before = *std::ranges::min_element(found, is_likelier);
     bool gained = false;
-    for (Hypothesis& h :
-         fit_each_beside(best.fit, current, tries, fitter, shared, progress)) {
+    for (Hypothesis& h : fit_each_beside(
+             best.fit, current, tries, fitter, shared, reach, progress)) {
       gained = gained || better(h, best);
-      reach.take(h.fit);
+      reach.take(h);
       found.push_back(std::move(h));
     }
-    const Fit& now = std::ranges::min_element(found, is_likelier)->fit;
+    const Hypothesis& now = *std::ranges::min_element(found, is_likelier);
     const int left = most_steps - round - 1;
     if (!gained || !reach.holds_way(before, now, left)) return;
   }

@@ -38,32 +38,38 @@ bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
   return a.fit.log_likelihood > b.fit.log_likelihood;
 }
 
-std::optional<Fit> approach_one(const Fit& current,
-                                const EffectInstance& more,
-                                const Fitter& fitter,
-                                const std::shared_ptr<const FrfModel>& shared,
-                                const Reach& reach,
-                                const Progress& progress) {
+std::optional<Hypothesis> approach_one(
+    const Fit& current,
+    const EffectInstance& more,
+    const Fitter& fitter,
+    const std::shared_ptr<const FrfModel>& shared,
+    const Reach& reach,
+    const Progress& progress) {
   const std::vector<EffectInstance> effects = with(current, more);
   std::optional<Fit> fit =
       fitter.approach(effects,
                       shared ? shared : fitter.model_for(effects),
                       progress,
                       reach.hopeless_wide_error());
-  if (fit) fit = without_jacobian(std::move(*fit));
-  return fit;
+  if (!fit) return std::nullopt;
+  return reach.judged(without_jacobian(std::move(*fit)));
 }
 
-std::vector<Hypothesis> those_left(std::vector<std::optional<Fit>> approached) {
+std::vector<Hypothesis> those_left(
+    std::vector<std::optional<Hypothesis>> approached) {
   std::vector<Hypothesis> result;
-  for (std::optional<Fit>& fit : approached) {
-    if (fit) result.push_back({std::move(*fit)});
+  for (std::optional<Hypothesis>& h : approached) {
+    if (h) result.push_back(std::move(*h));
   }
   return result;
 }
 
-Fit arrive(Fit approached, const Fitter& fitter, const Progress& progress) {
-  return without_jacobian(fitter.arrive(std::move(approached), progress));
+Hypothesis arrive(Hypothesis approached,
+                  const Fitter& fitter,
+                  const Reach& reach,
+                  const Progress& progress) {
+  return reach.judged(
+      without_jacobian(fitter.arrive(std::move(approached.fit), progress)));
 }
 
 void drop_hopeless(std::vector<Hypothesis>& found, const Reach& reach) {
@@ -73,7 +79,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, const Reach& reach) {
   const double least = std::min_element(found.begin(), found.end(), less_error)
                            ->fit.result.error;
   const auto hopeless = [&](const Hypothesis& h) {
-    return h.fit.result.error > least && reach.is_hopeless(h.fit);
+    return h.fit.result.error > least && reach.is_hopeless(h);
   };
   found.erase(std::remove_if(found.begin() + 1, found.end(), hopeless),
               found.end());
@@ -85,21 +91,21 @@ std::vector<Hypothesis> fit_each(const Fit& current,
                                  Reach& reach,
                                  const Progress& progress) {
   const Progress silent{{}, progress.stop};
-  std::vector<std::optional<Fit>> approached(extras.size());
+  std::vector<std::optional<Hypothesis>> approached(extras.size());
   work_on_each(
       extras.size(), silent, [&](std::size_t k, const Progress& quiet) {
         approached[k] =
             approach_one(current, extras[k], fitter, nullptr, reach, quiet);
       });
   std::vector<Hypothesis> result = those_left(std::move(approached));
-  for (const Hypothesis& h : result) reach.take(h.fit);
+  for (const Hypothesis& h : result) reach.take(h);
   drop_hopeless(result, reach);
   work_on_each(
       result.size(), silent, [&](std::size_t k, const Progress& quiet) {
-        result[k].fit = arrive(std::move(result[k].fit), fitter, quiet);
+        result[k] = arrive(std::move(result[k]), fitter, reach, quiet);
       });
   drop_implausible(result);
-  for (const Hypothesis& h : result) reach.take(h.fit);
+  for (const Hypothesis& h : result) reach.take(h);
   return result;
 }
 
@@ -109,17 +115,18 @@ std::vector<Hypothesis> fit_each_beside(
     const std::vector<EffectInstance>& extras,
     const Fitter& fitter,
     const std::shared_ptr<const FrfModel>& shared,
+    const Reach& reach,
     const Progress& progress) {
   std::vector<Hypothesis> result(extras.size());
   const Progress silent{{}, progress.stop};
   work_on_each(
       result.size(), silent, [&](std::size_t k, const Progress& quiet) {
         const std::vector<EffectInstance> effects = with(current, extras[k]);
-        result[k].fit = without_jacobian(
+        result[k] = reach.judged(without_jacobian(
             fitter.fit_beside(beside,
                               effects,
                               shared ? shared : fitter.model_for(effects),
-                              quiet));
+                              quiet)));
       });
   drop_implausible(result);
   return result;

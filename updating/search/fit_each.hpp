@@ -17,7 +17,7 @@ namespace tapfit::updating {
 /// The first pass, for the present effects and one more; nothing where it is
 /// given up on the way.
 /// @param shared its base; null: it gets its own
-[[nodiscard]] std::optional<Fit> approach_one(
+[[nodiscard]] std::optional<Hypothesis> approach_one(
     const Fit& current,
     const EffectInstance& more,
     const Fitter& fitter,
@@ -27,13 +27,14 @@ namespace tapfit::updating {
 
 /// Of the first pass, without what was given up.
 [[nodiscard]] std::vector<Hypothesis> those_left(
-    std::vector<std::optional<Fit>> approached);
+    std::vector<std::optional<Hypothesis>> approached);
 
 /// The second pass.
 /// @return with no jacobian: there are too many of them to keep it
-[[nodiscard]] Fit arrive(Fit approached,
-                         const Fitter& fitter,
-                         const Progress& progress);
+[[nodiscard]] Hypothesis arrive(Hypothesis approached,
+                                const Fitter& fitter,
+                                const Reach& reach,
+                                const Progress& progress);
 
 /// What the second pass is not worth: all that is hopeless, but for the
 /// likeliest of these and that with the least error.
@@ -58,6 +59,7 @@ void drop_hopeless(std::vector<Hypothesis>& found, const Reach& reach);
     const std::vector<EffectInstance>& extras,
     const Fitter& fitter,
     const std::shared_ptr<const FrfModel>& shared,
+    const Reach& reach,
     const Progress& progress);
 
 }  // namespace tapfit::updating

@@ -35,7 +35,7 @@ std::vector<std::vector<Hypothesis>> fit_planned(
     Reach& reach,
     const Progress& progress) {
   share_bases(plans, current, fitter);
-  std::vector<std::vector<std::optional<Fit>>> approached(plans.size());
+  std::vector<std::vector<std::optional<Hypothesis>>> approached(plans.size());
   std::vector<std::pair<std::size_t, std::size_t>> all;  // plan, try
   for (std::size_t k = 0; k < plans.size(); ++k) {
     const std::size_t tries = plans[k].tries.size();
@@ -51,31 +51,33 @@ std::vector<std::vector<Hypothesis>> fit_planned(
   std::vector<std::vector<Hypothesis>> found;
   for (auto& kind : approached) found.push_back(those_left(std::move(kind)));
   for (const std::vector<Hypothesis>& kind : found) {
-    for (const Hypothesis& h : kind) reach.take(h.fit);
+    for (const Hypothesis& h : kind) reach.take(h);
   }
-  std::vector<Fit*> left;
+  std::vector<Hypothesis*> left;
   for (std::vector<Hypothesis>& kind : found) {
     if (options.best_of_each) {
       drop_hopeless(kind, reach);
     } else {
-      std::erase_if(kind, [&reach](const Hypothesis& h) {
-        return reach.is_hopeless(h.fit);
-      });
+      std::erase_if(
+          kind, [&reach](const Hypothesis& h) { return reach.is_hopeless(h); });
     }
-    for (Hypothesis& h : kind) left.push_back(&h.fit);
+    for (Hypothesis& h : kind) left.push_back(&h);
   }
-  std::ranges::sort(left, std::greater{}, &Fit::log_likelihood);
+  std::ranges::sort(left, std::greater{}, [](const Hypothesis* h) {
+    return h->fit.log_likelihood;
+  });
   std::mutex one_at_a_time;
   const auto end = [&](std::size_t n, const Progress& quiet) {
-    *left[n] = arrive(std::move(*left[n]), fitter, quiet);
+    *left[n] = arrive(std::move(*left[n]), fitter, reach, quiet);
     if (!options.tried) return;
     const std::lock_guard lock(one_at_a_time);
-    options.tried(*left[n]);
+    options.tried(left[n]->fit);
   };
   work_on_each(left.size(), part_of(progress, 0.6, 1.0), end);
-  for (const Fit* fit : left) reach.take(*fit);
+  for (const Hypothesis* h : left) reach.take(*h);
   for (std::size_t k = 0; k < plans.size(); ++k) {
-    if (plans[k].known != nullptr) found[k].push_back({*plans[k].known});
+    if (plans[k].known != nullptr)
+      found[k].push_back(reach.judged(*plans[k].known));
   }
   return found;
 }

@@ -78,9 +78,8 @@ struct Kind {
     return likeliest().fit.log_likelihood;
   }
   [[nodiscard]] bool is_hopeless(const Reach& reach) const {
-    return std::ranges::all_of(found, [&reach](const Hypothesis& h) {
-      return reach.is_hopeless(h.fit);
-    });
+    return std::ranges::all_of(
+        found, [&reach](const Hypothesis& h) { return reach.is_hopeless(h); });
   }
   [[nodiscard]] double error() const {
     return std::min_element(found.begin(), found.end(), less_error)
@@ -182,7 +181,7 @@ std::vector<Location> cracks_in_patches(const std::vector<Kind>& kinds,
         continue;
       if (best == nullptr || is_likelier(h, *best)) best = &h;
     }
-    if (best == nullptr || reach.is_hopeless(best->fit)) continue;
+    if (best == nullptr || reach.is_hopeless(*best)) continue;
     for (std::vector<int>& nodes : cracks_within(*fitter.problem().context.deck,
                                                  best->own().where.elements)) {
       places.emplace_back().nodes = std::move(nodes);

@@ -9,7 +9,10 @@ namespace tapfit::updating {
 
 /// A hypothesis, fitted together with everything already in the model.
 struct Hypothesis {
-  Fit fit;              ///< its own effect is the last one
+  Fit fit;  ///< its own effect is the last one
+  /// Logarithm of how likely what it leaves is, by the data that there were for
+  /// it to explain (Reach::judged); the fit's own counts all that there may be.
+  double log_likelihood = 0.0;
   double places = 1.0;  ///< how many places its kind was searched at
   double log_evidence = 0.0;
   double log_gain = 0.0;  ///< over leaving it out

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::updating {
 namespace {
@@ -28,17 +29,18 @@ Reach::Reach(const Fit& current, const Fitter& fitter)
     : Reach(independent_data(fitter.target(), current.result.residual),
             noise_error(fitter.target())) {}
 
-double Reach::log_likelihood(const Fit& fit) const {
-  return estimate_form(fit.form, data_, noise_).log_likelihood;
+Hypothesis Reach::judged(Fit fit) const {
+  const double likely = estimate_form(fit.form, data_, noise_).log_likelihood;
+  return {std::move(fit), likely};
 }
 
-void Reach::take(const Fit& fit) {
-  most_ = std::max(most_, log_likelihood(fit));
-  least_error_ = std::min(least_error_, fit.result.error);
+void Reach::take(const Hypothesis& of) {
+  most_ = std::max(most_, of.log_likelihood);
+  least_error_ = std::min(least_error_, of.fit.result.error);
 }
 
 void Reach::take_known(const Fit& fit, const Fitter& fitter) {
-  take(fit);
+  take(judged(fit));
   const Target& wide = fitter.problem().targets.front();
   const Eigen::MatrixXcd H =
       fit.model->respond(fit.result.state, wide.s, false).H;
@@ -53,15 +55,16 @@ double Reach::hopeless_screened_error() const {
   return screened_high * hopeless_wide_error();
 }
 
-bool Reach::is_hopeless(const Fit& fit) const {
-  return fit.result.error > least_error_ &&
-         log_likelihood(fit) < most_ - out_of_reach;
+bool Reach::is_hopeless(const Hypothesis& of) const {
+  return of.fit.result.error > least_error_ &&
+         of.log_likelihood < most_ - out_of_reach;
 }
 
-bool Reach::holds_way(const Fit& before, const Fit& now, int steps) const {
-  const double at = log_likelihood(now);
-  const double pace = at - log_likelihood(before);
-  return at + pace * steps >= most_ - out_of_reach;
+bool Reach::holds_way(const Hypothesis& before,
+                      const Hypothesis& now,
+                      int steps) const {
+  const double pace = now.log_likelihood - before.log_likelihood;
+  return now.log_likelihood + pace * steps >= most_ - out_of_reach;
 }
 
 }  // namespace tapfit::updating

@@ -2,7 +2,7 @@
 // near to what something else reaches end early.
 #pragma once
 
-#include "updating/fit/fitter.hpp"
+#include "updating/search/hypothesis.hpp"
 
 #include <limits>
 
@@ -18,8 +18,12 @@ class Reach {
   /// @param noise relative error that the scatter over hits alone would give
   Reach(double data, double noise) : data_(data), noise_(noise) {}
 
+  /// The hypothesis of a fit, with its likelihood.
+  [[nodiscard]] Hypothesis judged(Fit fit) const;
+
   /// Something reaches this.
-  void take(const Fit& fit);
+  /// @param of as judged, as everywhere below
+  void take(const Hypothesis& of);
 
   /// The same of a fit that is known beforehand: from the first lines on,
   /// others are measured by it.
@@ -33,17 +37,15 @@ class Reach {
   [[nodiscard]] double hopeless_screened_error() const;
 
   /// Far less likely than what something reaches, and with more error.
-  [[nodiscard]] bool is_hopeless(const Fit& fit) const;
+  [[nodiscard]] bool is_hopeless(const Hypothesis& of) const;
 
   /// Whether steps from place to place may come near, at the pace of the last.
   /// @param steps that may follow
-  [[nodiscard]] bool holds_way(const Fit& before,
-                               const Fit& now,
+  [[nodiscard]] bool holds_way(const Hypothesis& before,
+                               const Hypothesis& now,
                                int steps) const;
 
  private:
-  [[nodiscard]] double log_likelihood(const Fit& fit) const;
-
   double data_;
   double noise_;
   double most_ = -1e300;

@@ -93,7 +93,7 @@ TEST_F(Approach, IsGivenUpWhereWhatIsKnownStaysFarAhead) {
         fitter.approach({effect}, model, {}, reach.hopeless_wide_error());
     if (begun) continue;
     ++given_up;
-    EXPECT_TRUE(reach.is_hopeless(fitter.fit({effect}, model)))
+    EXPECT_TRUE(reach.is_hopeless(reach.judged(fitter.fit({effect}, model))))
         << effect.effect->name() << " at " << effect.where.node;
   }
   EXPECT_GE(given_up, 1);

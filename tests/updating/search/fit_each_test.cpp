@@ -15,24 +15,29 @@ std::vector<double> errors(const std::vector<Hypothesis>& all) {
   return result;
 }
 
+std::vector<Hypothesis> judged(const Reach& reach,
+                               const std::vector<double>& all) {
+  std::vector<Hypothesis> result;
+  for (const double error : all) {
+    result.push_back(reach.judged(plain_hypothesis(error).fit));
+  }
+  return result;
+}
+
 // One is as good as the best, one may be, two are far from it.
 TEST(DropHopeless, KeepsWhatMayBeTheAnswer) {
-  std::vector<Hypothesis> all{plain_hypothesis(0.10),
-                              plain_hypothesis(0.05),
-                              plain_hypothesis(0.06),
-                              plain_hypothesis(0.20)};
   Reach reach(50.0, 1e-3);
-  for (const Hypothesis& h : all) reach.take(h.fit);
+  std::vector<Hypothesis> all = judged(reach, {0.10, 0.05, 0.06, 0.20});
+  for (const Hypothesis& h : all) reach.take(h);
   drop_hopeless(all, reach);
   EXPECT_EQ(errors(all), (std::vector<double>{0.05, 0.06}));
 }
 
 // Of a kind that is out of reach what it can do is still told.
 TEST(DropHopeless, KeepsTheBestOfAKind) {
-  std::vector<Hypothesis> all{
-      plain_hypothesis(0.12), plain_hypothesis(0.10), plain_hypothesis(0.20)};
   Reach reach(50.0, 1e-3);
-  reach.take(plain_hypothesis(0.05).fit);
+  std::vector<Hypothesis> all = judged(reach, {0.12, 0.10, 0.20});
+  reach.take(judged(reach, {0.05}).front());
   drop_hopeless(all, reach);
   EXPECT_EQ(errors(all), (std::vector<double>{0.10}));
   std::vector<Hypothesis> none;
