@@ -1,5 +1,6 @@
 // Where fits start, and what is known before: the Fitter's states and priors.
 #include "updating/fit/fitter.hpp"
+#include "updating/fit/size_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -68,10 +69,23 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
   return prior;
 }
 
+namespace {
+
+// Whether nothing is known of the sizes of an effect at a grid yet.
+bool is_unscanned(const EffectInstance& effect, const FrfModel& model) {
+  const std::vector<effects::ParameterSpec> specs =
+      parameters_of(effect, model);
+  return effect.effect->sits_at_grid() &&
+         std::ranges::equal(
+             effect.p, specs, {}, {}, &effects::ParameterSpec::start);
+}
+
+}  // namespace
+
 // Size of the newest effect from which the fit starts: the best of a scan over
-// all that it may be, one parameter after the other, everything else as it is.
-// A resonance that has to move past another does not get there by following
-// the slope.
+// all that it may be, everything else as it is: at a grid of several parameters
+// together, if nothing is known of them, then one after the other. A resonance
+// that has to move past another does not get there by following the slope.
 void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   if (state.effects.empty()) return;
   std::vector<double>& p = state.effects.back().p;
@@ -79,6 +93,19 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
   const Target& wide = problem_.targets.front();
   const Index first = prior.lower.size() - static_cast<Index>(p.size());
   double least = relative_error(wide, model.respond(state, wide.s, false).H);
+  const auto take_best = [&](const std::vector<std::vector<double>>& sizes) {
+    const auto tried = model.respond_at_sizes(state, sizes, wide.s);
+    for (std::size_t t = 0; t < tried.size(); ++t) {
+      const double left = relative_error(wide, tried[t]);
+      if (left >= least) continue;
+      least = left;
+      p = sizes[t];
+    }
+  };
+  const EffectInstance& newest = state.effects.back();
+  if (p.size() > 1 && is_unscanned(newest, model)) {
+    take_best(size_grid(parameters_of(newest, model)));
+  }
   for (std::size_t k = 0; k < p.size(); ++k) {
     const double low = prior.lower(first + static_cast<Index>(k));
     const double high = prior.upper(first + static_cast<Index>(k));
@@ -87,13 +114,7 @@ void Fitter::scan_start(const FrfModel& model, ModelState& state) const {
       sizes[static_cast<std::size_t>(step)][k] =
           std::exp(low + (high - low) * (step + 0.5) / start_scan);
     }
-    const auto tried = model.respond_at_sizes(state, sizes, wide.s);
-    for (std::size_t t = 0; t < tried.size(); ++t) {
-      const double left = relative_error(wide, tried[t]);
-      if (left >= least) continue;
-      least = left;
-      p[k] = sizes[t][k];
-    }
+    take_best(sizes);
   }
 }
 

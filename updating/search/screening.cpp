@@ -4,6 +4,7 @@
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/preload.hpp"
+#include "updating/fit/size_grid.hpp"
 #include "updating/localisation/location_scan.hpp"
 #include "updating/localisation/projected_misfit.hpp"
 #include "updating/search/screen_clamps.hpp"
@@ -11,9 +12,10 @@
 #include "updating/search/screened_places.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -25,49 +27,17 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Grids at which effects of several parameters are scanned: those where a
-// point effect of any law would explain most.
+// Grids at which effects of several parameters are scanned: as many where a
+// point effect of any law would explain most, and where they do best roughly.
+// What readjusts is in the second alone, and the law is theirs.
 constexpr std::size_t grids_in_detail = 12;
-
-// Sizes between the bounds of a parameter, evenly in the logarithm.
-std::vector<double> sizes(const effects::ParameterSpec& spec, int count) {
-  std::vector<double> result;
-  const double low = std::log(spec.lower);
-  const double high = std::log(spec.upper);
-  for (int k = 0; k < count; ++k) {
-    result.push_back(std::exp(low + (high - low) * (k + 0.5) / count));
-  }
-  return result;
-}
-
-// Every combination of a few sizes of each parameter.
-std::vector<std::vector<double>> combinations(
-    const std::vector<effects::ParameterSpec>& specs) {
-  // A resonance is narrow: its frequency, the second of three, is scanned
-  // more closely than sizes and damping.
-  const std::array<int, 3> counts = specs.size() == 1   ? std::array{13, 0, 0}
-                                    : specs.size() == 2 ? std::array{8, 4, 0}
-                                                        : std::array{7, 24, 3};
-  std::vector<std::vector<double>> result = {{}};
-  for (std::size_t k = 0; k < specs.size(); ++k) {
-    std::vector<std::vector<double>> longer;
-    for (const std::vector<double>& start : result) {
-      for (const double size : sizes(specs[k], counts.at(k))) {
-        longer.push_back(start);
-        longer.back().push_back(size);
-      }
-    }
-    result = std::move(longer);
-  }
-  return result;
-}
 
 // A scan over all sizes, then closer around the best, one parameter after the
 // other.
 template <typename Best>
 Screened scanned(const std::vector<effects::ParameterSpec>& specs,
                  const Best& best) {
-  Screened found = best(combinations(specs));
+  Screened found = best(size_grid(specs));
   for (std::size_t k = 0; k < specs.size(); ++k) {
     const double step = std::log(specs[k].upper / specs[k].lower) / 13.0;
     std::vector<std::vector<double>> tried;
@@ -106,17 +76,14 @@ class Screening {
 
   // Effects of several parameters, at the most promising grids.
   [[nodiscard]] std::vector<Screened> detailed() const {
-    std::vector<std::pair<double, std::size_t>> promise;
-    for (std::size_t b = 0; b < places_.points.size(); ++b) {
-      promise.emplace_back(place_scan_.any_law(b), b);
+    std::vector<double> any_law(places_.points.size());
+    for (std::size_t b = 0; b < any_law.size(); ++b) {
+      any_law[b] = place_scan_.any_law(b);
     }
-    const std::size_t count = std::min(grids_in_detail, promise.size());
-    std::partial_sort(promise.begin(),
-                      promise.begin() + static_cast<std::ptrdiff_t>(count),
-                      promise.end());
-    std::vector<std::size_t> best;
-    for (std::size_t k = 0; k < count; ++k) best.push_back(promise[k].second);
-    return at_points(best, &ScreenedPlaces::Kinds::detailed);
+    std::set<std::size_t> best = least_of(any_law);
+    best.merge(least_of(rough_errors()));
+    return at_points({best.begin(), best.end()},
+                     &ScreenedPlaces::Kinds::detailed);
   }
 
   [[nodiscard]] std::vector<Screened> wide() const {
@@ -181,6 +148,51 @@ class Screening {
   }
 
  private:
+  // The most promising of all points.
+  static std::set<std::size_t> least_of(const std::vector<double>& errors) {
+    std::vector<std::size_t> order(errors.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(
+        order, {}, [&errors](std::size_t b) { return errors[b]; });
+    order.resize(std::min(grids_in_detail, order.size()));
+    return {order.begin(), order.end()};
+  }
+
+  // Of every point what the best of few sizes of its effects of several
+  // parameters leaves.
+  [[nodiscard]] std::vector<double> rough_errors() const {
+    std::map<const effects::Effect*, MatrixXcd> laws;
+    for (const ScreenedPlaces::Kinds& kinds : places_.points) {
+      for (const EffectInstance& e : kinds.detailed) {
+        if (laws.contains(e.effect)) continue;
+        const auto specs = e.effect->parameters(e.where, context_);
+        laws[e.effect] = laws_of(e, size_grid(specs, {4, 24, 1}));
+      }
+    }
+    std::vector<double> errors(places_.points.size(), 1e300);
+    for_each_parallel(errors.size(), [&](std::size_t b) {
+      for (const EffectInstance& e : places_.points[b].detailed) {
+        const VectorXd left = place_scan_.errors(b, laws.at(e.effect));
+        errors[b] = std::min(errors[b], left.minCoeff());
+      }
+    });
+    return errors;
+  }
+
+  // Its law on all lines, a column for each of several sizes.
+  [[nodiscard]] MatrixXcd laws_of(
+      const EffectInstance& effect,
+      const std::vector<std::vector<double>>& tried) const {
+    MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
+    for (std::size_t k = 0; k < tried.size(); ++k) {
+      for (Index l = 0; l < z.rows(); ++l) {
+        z(l, static_cast<Index>(k)) =
+            effect.effect->law(target_->s(l), tried[k], 0);
+      }
+    }
+    return z;
+  }
+
   // The best force in a member; of a wire one that is as long as it.
   [[nodiscard]] Screened preloaded(std::size_t k) const {
     const ScreenedPlaces::Wide& place = places_.wide[k];
@@ -221,14 +233,8 @@ class Screening {
       std::size_t b,
       const EffectInstance& effect,
       const std::vector<std::vector<double>>& tried) const {
-    MatrixXcd z(target_->s.size(), static_cast<Index>(tried.size()));
-    for (std::size_t k = 0; k < tried.size(); ++k) {
-      for (Index l = 0; l < z.rows(); ++l) {
-        z(l, static_cast<Index>(k)) =
-            effect.effect->law(target_->s(l), tried[k], 0);
-      }
-    }
-    return best_of(effect, tried, place_scan_.errors(b, z));
+    return best_of(
+        effect, tried, place_scan_.errors(b, laws_of(effect, tried)));
   }
 
   // The same for an effect that a model can respond to.
