@@ -2,13 +2,15 @@
 
 #include "updating/structure/assembly/assemble.hpp"
 
+#include <iterator>
 #include <utility>
 
 namespace tapfit::updating {
 namespace {
 
-// Some 30 kB each; of a fine mesh others are worked out again.
-constexpr std::size_t most_kept = 4000;
+// Entries of matrices, 12 bytes each: 120 MB. Of a fine mesh, or one of
+// quadratic solids, other elements are worked out again.
+constexpr Eigen::Index most_kept = 10'000'000;
 
 using structure::Deck;
 using structure::SparseMatrix;
@@ -34,6 +36,14 @@ std::vector<int> grids_of(const structure::Solid& e) { return e.all_grids(); }
 template <class Bar>
 std::vector<int> grids_of(const Bar& e) {
   return {e.grids.begin(), e.grids.end()};
+}
+
+Eigen::Index entries(const ElementParts::Sum& sum) {
+  Eigen::Index count = sum.K.nonZeros() + sum.M.nonZeros();
+  for (const UncertainPart& part : sum.parts) {
+    count += part.K.nonZeros() + part.M.nonZeros();
+  }
+  return count;
 }
 
 // Sums of matrices that are given over some of the degrees of freedom.
@@ -112,7 +122,10 @@ std::shared_ptr<const ElementParts::Own> ElementParts::own(int element) const {
   }
   auto fresh = std::make_shared<const Own>(work_out(element));
   const std::scoped_lock lock(mutex_);
-  if (known_.size() < most_kept) known_.try_emplace(element, fresh);
+  // Elements of a mesh are much alike.
+  if (std::ssize(known_) * entries(fresh->sum) < most_kept) {
+    known_.try_emplace(element, fresh);
+  }
   return fresh;
 }
 

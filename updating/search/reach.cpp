@@ -14,8 +14,8 @@ namespace {
 constexpr double out_of_reach = 15.0;
 
 // Times the error on the wide lines of what is known: of N independent data
-// that is N ln 3 of log likelihood, and of the form's some thirty patterns
-// alone twice what is out of reach.
+// that is N ln 3 of log likelihood, and of thirty of the form's patterns alone
+// twice what is out of reach.
 constexpr double far_behind = 3.0;
 
 // The screening, of first order, says less than a fit over the wide lines
