@@ -44,17 +44,22 @@ Squares squares_of(const signal::FrfSet& set,
   return sums;
 }
 
-// Mean sin^2 of the phases once the delay is taken off, over modes that show.
-double left_with(const Squares& sums, const VectorXd& w, double delay) {
+// Mean sin^2 of the phases once these angles are taken off, over modes that
+// show.
+double left_by_angles(const Squares& sums, const VectorXd& angles) {
   double sum = 0.0;
   int count = 0;
-  for (Index k = 0; k < w.size(); ++k) {
+  for (Index k = 0; k < angles.size(); ++k) {
     if (!(sums.size(k) > 0.0)) continue;
-    const complex back = std::polar(1.0, 2.0 * w(k) * delay);
+    const complex back = std::polar(1.0, -2.0 * angles(k));
     sum += 0.5 * (1.0 - (sums.z2(k) * back).real() / sums.size(k));
     ++count;
   }
   return count > 0 ? sum / count : 0.0;
+}
+
+double left_with(const Squares& sums, const VectorXd& w, double delay) {
+  return left_by_angles(sums, -delay * w);
 }
 
 // The delay of least sin^2, within half a period of the highest mode.
@@ -82,6 +87,61 @@ double best_delay(const Squares& sums, const VectorXd& w) {
   return best;
 }
 
+VectorXd filter_angles(const VectorXd& w, double corner, bool high_pass) {
+  return w.unaryExpr([&](double at) {
+    return high_pass ? std::atan(corner / at) : -std::atan(at / corner);
+  });
+}
+
+// The corner of least sin^2: by steps of its logarithm, then by halving them.
+PhaseFilter best_filter(const Squares& sums,
+                        const VectorXd& w,
+                        bool high_pass) {
+  constexpr double beyond = 30.0;  // of the modes: a turn of two degrees
+  constexpr int steps = 100;
+  constexpr int halvings = 12;
+  double step = std::log(beyond * beyond * w.maxCoeff() / w.minCoeff()) / steps;
+  const auto left_at = [&](double corner) {
+    return left_by_angles(sums, filter_angles(w, corner, high_pass));
+  };
+  double best = w.minCoeff() / beyond;
+  double least = left_at(best);
+  for (int i = 1; i <= steps; ++i) {
+    const double corner = w.minCoeff() / beyond * std::exp(i * step);
+    const double left = left_at(corner);
+    if (left >= least) continue;
+    least = left;
+    best = corner;
+  }
+  for (int i = 0; i < halvings; ++i) {
+    step *= 0.5;
+    for (const double corner : {best * std::exp(step), best / std::exp(step)}) {
+      const double left = left_at(corner);
+      if (left >= least) continue;
+      least = left;
+      best = corner;
+    }
+  }
+  PhaseFilter filter;
+  filter.high_pass = high_pass;
+  filter.corner_hz = best / (2.0 * std::numbers::pi);
+  filter.left = least;
+  // d angle / d ln w_c = x / (1 + x^2), x = w_c / w, for either.
+  double slopes = 0.0;
+  double shown = 0.0;
+  const VectorXd angles = filter_angles(w, best, high_pass);
+  for (Index k = 0; k < w.size(); ++k) {
+    if (!(sums.size(k) > 0.0)) continue;
+    const double x = best / w(k);
+    slopes += std::pow(x / (1.0 + x * x), 2);
+    filter.turn = std::max(filter.turn, std::abs(angles(k)));
+    ++shown;
+  }
+  const double variance = least * shown / (shown - 1.0);
+  filter.corner_sd_hz = filter.corner_hz * std::sqrt(variance / slopes);
+  return filter;
+}
+
 ChannelPhase phase_of(std::size_t channel,
                       const Squares& sums,
                       const VectorXd& w,
@@ -103,6 +163,9 @@ ChannelPhase phase_of(std::size_t channel,
     if (sums.size(k) > 0.0) ww += w(k) * w(k);
   }
   phase.delay_sd = std::sqrt(variance / ww);
+  const PhaseFilter high = best_filter(sums, w, true);
+  const PhaseFilter low = best_filter(sums, w, false);
+  phase.filter = high.left < low.left ? high : low;
   return phase;
 }
 
@@ -112,6 +175,15 @@ bool is_delayed(const ChannelPhase& phase,
   return std::abs(phase.delay_s) * highest > limits.slight_phase &&
          std::abs(phase.delay_s) > limits.significance * phase.delay_sd &&
          phase.with_delay < limits.explained * phase.turned;
+}
+
+bool is_filtered(const ChannelPhase& phase, const ChannelPhaseLimits& limits) {
+  if (!phase.filter) return false;
+  const PhaseFilter& filter = *phase.filter;
+  return filter.turn > limits.slight_phase &&
+         filter.corner_hz > limits.significance * filter.corner_sd_hz &&
+         filter.left < limits.explained * phase.turned &&
+         filter.left < limits.rather_filter * phase.with_delay;
 }
 
 Finding velocity_finding(const std::string& channel, double turned) {
@@ -144,6 +216,28 @@ Finding delay_finding(const std::string& channel,
           "filters or converters that differ between the channels",
           "give both channels the same anti-alias filter and converter; the "
           "diagnosis takes it in as channel-delay"};
+}
+
+Finding filter_finding(const std::string& channel, const PhaseFilter& filter) {
+  const bool high = filter.high_pass;
+  return {
+      filter.turn > 2.0 * ChannelPhaseLimits{}.slight_phase ? Severity::Warning
+                                                            : Severity::Note,
+      {{}, channel, {}, {}},
+      fmt::format("its modes are turned as behind a {}-pass filter with its "
+                  "corner at {:.3g} Hz (sd {:.1g}), the {} by {:.2g} "
+                  "degrees",
+                  high ? "high" : "low",
+                  filter.corner_hz,
+                  filter.corner_sd_hz,
+                  high ? "lowest" : "highest",
+                  filter.turn * 180.0 / std::numbers::pi),
+      high ? "AC coupling, or a short time constant of the amplifier"
+           : "an analogue filter, or a long cable",
+      fmt::format("give the channel and the hammer the same {}, and measure "
+                  "again: the {} modes come out too small",
+                  high ? "coupling" : "filter",
+                  high ? "lowest" : "highest")};
 }
 
 VectorXd damped_frequencies(const ModeSet& modes) {
@@ -181,6 +275,8 @@ std::vector<Finding> channel_phase_findings(
     const std::string& channel = bundle.channels.at(phase.channel).name;
     if (phase.turned > limits.imaginary) {
       findings.push_back(velocity_finding(channel, phase.turned));
+    } else if (is_filtered(phase, limits)) {
+      findings.push_back(filter_finding(channel, *phase.filter));
     } else if (is_delayed(phase, highest, limits)) {
       findings.push_back(delay_finding(channel, phase, highest));
     }

@@ -3,6 +3,9 @@
 // -w tau, one that measures velocity turns all of them by 90 degrees:
 //
 //   arg z_ck = theta_0 - w_k tau  (mod 180 degrees),  theta_0 = 0 or 90
+//
+// One behind a filter of first order is turned by atan(w_c / w_k) where this
+// passes what is high, by -atan(w_k / w_c) where it passes what is low.
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
@@ -11,9 +14,19 @@
 #include "signal/frf_set/frf_set.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tapfit::modal {
+
+/// Of first order.
+struct PhaseFilter {
+  bool high_pass = false;
+  double corner_hz = 0.0;
+  double corner_sd_hz = 0.0;
+  double turn = 0.0;  ///< the most that it turns any of the modes by [rad]
+  double left = 0.0;  ///< mean of sin^2 of what it leaves
+};
 
 struct ChannelPhase {
   std::size_t channel = 0;
@@ -21,6 +34,8 @@ struct ChannelPhase {
   double delay_s = 0.0;  ///< tau that fits best; 0 with fewer than 3 modes
   double delay_sd = 0.0;
   double with_delay = 0.0;  ///< mean of sin^2 of what the delay leaves
+  /// The filter that fits best; none with fewer than 3 modes.
+  std::optional<PhaseFilter> filter = {};
 };
 
 struct ChannelPhaseLimits {
@@ -29,6 +44,8 @@ struct ChannelPhaseLimits {
   double significance = 5.0;      ///< standard deviations of the delay
   double explained = 0.2;         ///< share of sin^2 that it may leave
   double imaginary = 0.9;         ///< mean sin^2 from which on it is a velocity
+  /// What a filter leaves against a delay: below its corner they do alike.
+  double rather_filter = 0.5;
 };
 
 /// In the order of the channels; those of few or weak modes are left out.
@@ -37,7 +54,7 @@ struct ChannelPhaseLimits {
     const ModeSet& modes,
     const ChannelPhaseLimits& limits = {});
 
-/// Delays against the hammer, and channels that measure velocity.
+/// Delays against the hammer, filters, and channels that measure velocity.
 [[nodiscard]] std::vector<Finding> channel_phase_findings(
     const acquisition::TestBundle& bundle,
     const signal::FrfSet& set,

@@ -112,6 +112,11 @@ Finding gain_finding(const acquisition::TestBundle& bundle,
           : fmt::format(
                 "the range or amplifier of {} was changed for these runs",
                 either);
+  // Of two the other may be the one that changed.
+  if (!turned && (two || factor < 1.0)) {
+    cause +=
+        fmt::format(", or {} was coming loose", factor < 1.0 ? who : other);
+  }
   // Of one mode any change of a sensor is one factor.
   if (one_mode) {
     cause += fmt::format(

@@ -38,18 +38,11 @@ ModelModes model_modes(const Fit& fit,
                        const BaseModes& full,
                        const MatrixXd& at_dofs) {
   const FrfModel& model = *fit.model;
-  const ModelState& state = fit.result.state;
   const double top = 2.0 * std::numbers::pi * 1.5 * model.context().high_hz;
   const Index count = std::max<Index>((full.omega.array() < top).count(),
                                       std::min<Index>(1, full.omega.size()));
   ModelModes modes;
   modes.frequency_hz = full.omega.head(count) / (2.0 * std::numbers::pi);
-  modes.damping_ratio =
-      full.omega.head(count).unaryExpr([&state](double omega) {
-        return omega > 0.0 ? state.zeta_at(omega) : 0.0;
-      });
-  const Index known = std::min<Index>(count, state.zeta.size());
-  modes.damping_ratio.head(known) = state.zeta.head(known);
   const MatrixXd phi = full.phi.leftCols(count);
   modes.at_dofs = at_dofs.leftCols(count);
   const auto grids = static_cast<Index>(model.context().deck->grids.size());

@@ -17,7 +17,6 @@ namespace tapfit::updating {
 /// The model's modes at the measured degrees of freedom and on the grids.
 struct ModelModes {
   Eigen::VectorXd frequency_hz;
-  Eigen::VectorXd damping_ratio;
   Eigen::MatrixXd at_dofs;   ///< n_measured_dof x n_modes, as ModeSet::dofs
   Eigen::MatrixXd at_grids;  ///< 3 n_grids x n_modes: x, y, z of each deck grid
 };

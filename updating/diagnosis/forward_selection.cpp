@@ -2,6 +2,7 @@
 
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/candidate.hpp"
+#include "updating/diagnosis/effect_forms.hpp"
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/settle_place.hpp"
 #include "updating/diagnosis/worth.hpp"
@@ -12,7 +13,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -52,35 +52,6 @@ std::vector<EffectInstance> without(const Fit& fit, std::size_t k) {
   std::vector<EffectInstance> rest = fit.effects;
   rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
   return rest;
-}
-
-// Two motions of one support as one effect, with the sizes they have.
-std::optional<EffectInstance> both_of(const EffectInstance& one,
-                                      const EffectInstance& other,
-                                      const effects::TestContext& context) {
-  const effects::Effect& effect = *one.effect;
-  const bool support = effect.changes_stiffness() == ChangeKind::Support &&
-                       one.effect == other.effect &&
-                       one.where.nodes == other.where.nodes;
-  Location where = one.where;
-  where.variant = "both";
-  if (!support || !effect.takes(where.variant, one.where, context)) {
-    return std::nullopt;
-  }
-  EffectInstance whole = placed(effect, where, context);
-  std::map<std::string, double> sizes;
-  for (const EffectInstance* part : {&one, &other}) {
-    const auto specs = effect.parameters(part->where, context);
-    for (std::size_t k = 0; k < specs.size(); ++k) {
-      sizes[specs[k].name] = part->p[k];
-    }
-  }
-  const auto specs = effect.parameters(where, context);
-  for (std::size_t k = 0; k < specs.size(); ++k) {
-    const auto known = sizes.find(specs[k].name);
-    if (known != sizes.end()) whole.p[k] = known->second;
-  }
-  return whole;
 }
 
 }  // namespace
@@ -141,6 +112,16 @@ void ForwardSelection::put_in_order(CandidateRanking& round,
       round.hypotheses, std::greater{}, &Hypothesis::log_evidence);
 }
 
+// The probabilities of what is in order.
+void ForwardSelection::weigh(CandidateRanking& round) {
+  put_likeliest_kind_first(round.hypotheses);
+  std::vector<double> evidence = {round.none_evidence()};
+  for (const Hypothesis& h : round.hypotheses) {
+    evidence.push_back(h.log_evidence);
+  }
+  round.probability = probabilities(evidence);
+}
+
 // Between grids the likeliest of each kind goes on where it may be the answer.
 void ForwardSelection::settle_places(const Fit& current,
                                      CandidateRanking& round,
@@ -197,12 +178,22 @@ CandidateRanking ForwardSelection::look(const Fit& current,
     settle_places(current, round, progress);
     put_in_order(round, current);
   }
-  put_likeliest_kind_first(round.hypotheses);
-  std::vector<double> evidence = {round.none_evidence()};
-  for (const Hypothesis& h : round.hypotheses) {
-    evidence.push_back(h.log_evidence);
-  }
-  round.probability = probabilities(evidence);
+  weigh(round);
+  return round;
+}
+
+CandidateRanking ForwardSelection::with_forms(CandidateRanking round,
+                                              const Fit& current,
+                                              const Progress& progress) const {
+  const Floor floor{options_.floor, options_.floor_noise};
+  const bool explained =
+      std::ranges::any_of(round.hypotheses, [&floor](const Hypothesis& h) {
+        return is_explained(h.fit.result.error, floor);
+      });
+  if (explained) return round;
+  add_forms_of_few(round.hypotheses, current, *fitter_, progress);
+  put_in_order(round, current);
+  weigh(round);
   return round;
 }
 
@@ -253,6 +244,9 @@ Fit ForwardSelection::relocate(Fit fit,
                                std::vector<SelectedEffect>& chosen,
                                const Progress& progress) const {
   for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
+    if (auto plain = in_plain_form(fit, k, *fitter_, progress)) {
+      fit = *std::move(plain);
+    }
     const Fit known = with_last(fit, k, progress);
     const CandidateRanking round =
         look(refit(without(fit, k), progress), Depth::Nearby, progress, &known);

@@ -45,6 +45,12 @@ class ForwardSelection {
                                       const Fit* known = nullptr,
                                       const Fit* rival = nullptr) const;
 
+  /// A quick look with other forms of what is few and comes near, unless
+  /// something explains all.
+  [[nodiscard]] CandidateRanking with_forms(CandidateRanking round,
+                                            const Fit& current,
+                                            const Progress& progress) const;
+
   /// A hypothesis of the round as it is added to the model.
   ///
   /// @param of its place there
@@ -87,6 +93,7 @@ class ForwardSelection {
 
  private:
   void put_in_order(CandidateRanking& round, const Fit& current) const;
+  static void weigh(CandidateRanking& round);
   void settle_places(const Fit& current,
                      CandidateRanking& round,
                      const Progress& progress) const;

@@ -76,10 +76,14 @@ void StepwiseSelection::settle() {
 bool StepwiseSelection::try_to_add(bool first,
                                    ForwardSelection::Depth depth,
                                    const Progress& progress) {
-  const bool known = next_ && depth == ForwardSelection::Depth::Quick;
-  const CandidateRanking round =
-      known ? *std::exchange(next_, std::nullopt)
-            : search_.look(current_, depth, part_of(progress, 0.0, 0.75));
+  const bool quick = depth == ForwardSelection::Depth::Quick;
+  CandidateRanking round =
+      next_ && quick
+          ? *std::exchange(next_, std::nullopt)
+          : search_.look(current_, depth, part_of(progress, 0.0, 0.75));
+  if (quick) {
+    round = search_.with_forms(std::move(round), current_, progress);
+  }
   const Progress rest = part_of(progress, 0.75, 1.0);
   if (first) candidates_ = candidates_of(round, fitter_->problem().context);
   if (round.hypotheses.empty()) return false;

@@ -54,6 +54,11 @@ class Absorber final : public DirectedEffect {
     return p[0] * s2 * s2 / ((s2 + g) * (s2 + g)) * dg;
   }
 
+  std::optional<Resonator> resonator(
+      const std::vector<double>& p) const override {
+    return Resonator{p[0], two_pi * p[1]};
+  }
+
   std::vector<std::string> bulk_data(
       const Location& where,
       const TestContext& context,

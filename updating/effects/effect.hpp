@@ -124,6 +124,13 @@ struct ModeDamping {
   double slope = 0.0;
 };
 
+/// What moves on a spring of its own, without its damper:
+/// law = m w^2 s^2 / (s^2 + w^2).
+struct Resonator {
+  double mass = 0.0;   ///< m [kg]
+  double omega = 0.0;  ///< w [rad/s]
+};
+
 class Effect {
  public:
   explicit Effect(EffectKind kind) : kind_(std::move(kind)) {}
@@ -234,6 +241,11 @@ class Effect {
   /// spring or a mass.
   [[nodiscard]] virtual bool is_lossless(std::size_t /*k*/) const {
     return kind_.law == Law::Spring || kind_.law == Law::Mass;
+  }
+  /// What the law is of where it has a motion of its own.
+  [[nodiscard]] virtual std::optional<Resonator> resonator(
+      const std::vector<double>& /*p*/) const {
+    return std::nullopt;
   }
   /// Whether undamped frequencies and shapes tell of it: it changes stiffness
   /// or mass, and neither damps nor sits in a channel.

@@ -318,6 +318,15 @@ Fit Fitter::fit(const std::vector<EffectInstance>& start,
                 const Progress& progress,
                 const Fit* before) const {
   ModelState first = start_state(*model, start);
+  if (before != nullptr) {
+    // What is small is seen only where the rest of the model is right.
+    const Target& seen = problem_.targets.front();
+    const auto left = [&model, &seen](const ModelState& state) {
+      return relative_error(seen, model->respond(state, seen.s, false).H);
+    };
+    ModelState fitted = start_state(*model, start, before);
+    if (left(fitted) < left(first)) first = std::move(fitted);
+  }
   Course course(*this, std::move(model), std::move(first), progress);
   course.approach(wide);
   course.arrive(exact, rounds);

@@ -150,37 +150,6 @@ std::vector<PairEnds> FrfModel::ends(const ModelState& state) const {
   return ends(test_as_done(context_, state.effects));
 }
 
-BaseModes FrfModel::full_modes(const ModelState& state) const {
-  const BaseModes base = base_modes(state);
-  const TestAsDone done = test_as_done(context_, state.effects);
-  auto [K, M] = with_changes(
-      base, modal_modifications(state, done.context, runs_, base_), state);
-  // Split a real law into stiffness and mass at the middle of the band.
-  const double omega =
-      2.0 * M_PI * std::sqrt(context_.low_hz * context_.high_hz);
-  for (const EffectInstance& e :
-       outside_modal_basis(state, done.context, runs_)) {
-    if (!acts_beside(e)) continue;
-    for (const std::size_t run : runs_) {
-      for (const effects::InterfaceDof& dof :
-           e.effect->interface_dofs(e.where, done.context, run)) {
-        const VectorXd b = base.phi.transpose() * row(dof).transpose();
-        const double share = dof.weight / static_cast<double>(runs_.size());
-        const double z =
-            e.effect->law({0.0, omega}, e.p, dof.group).real() * share;
-        // An absorber tuned below acts as a spring, which has no negative mass.
-        const double k =
-            std::max(z, e.effect->law(0.0, e.p, dof.group).real() * share);
-        K += k * b * b.transpose();
-        M += (k - z) / (omega * omega) * b * b.transpose();
-      }
-    }
-  }
-  BaseModes full = solve_modes(K, M);
-  full.phi = (base.phi * full.phi).eval();
-  return full;
-}
-
 void FrfModel::set_reference(const ModelState& state) {
   reference_phi_ = base_modes(state).phi;
 }

@@ -106,7 +106,8 @@ std::vector<FrfModel::Walk> FrfModel::walk_modes(
     const MatrixXd& candidates) const {
   const ModalData& data = *modes_;
   const ModalState shared = modal_state(state, base_modes(state));
-  const auto& [omega, phi] = shared.modes;
+  const VectorXd& omega = shared.modes.omega;
+  const MatrixXd& phi = shared.modes.phi;
   const MatrixXd at = points_.transpose() * phi;
   const MatrixXd squares = (phi.transpose() * candidates).cwiseAbs2();
   Walk walk;
@@ -140,7 +141,8 @@ std::vector<FrfModel::Walk> FrfModel::walk_modes(
 FormPatterns FrfModel::form_patterns_of_modes(const ModelState& state) const {
   const ModalData& data = *modes_;
   const ModalState shared = modal_state(state, base_modes(state));
-  const auto& [omega, phi] = shared.modes;
+  const VectorXd& omega = shared.modes.omega;
+  const MatrixXd& phi = shared.modes.phi;
   const MatrixXd at = points_.transpose() * phi;
   const double top = two_pi * context_.high_hz;
   const MatrixXcd none = MatrixXcd::Zero(data.modes(), 1 + data.points());

@@ -13,7 +13,9 @@ namespace tapfit::updating {
 /// In the base's coordinates, of unit mass.
 struct BaseModes {
   Eigen::VectorXd omega;  ///< [rad/s]
-  Eigen::MatrixXd phi;    ///< r x r
+  Eigen::MatrixXd phi;    ///< r x count
+  /// What sits on springs of its own moves, n_own x count; 0 x 0 without any.
+  Eigen::MatrixXd own = {};
 };
 
 /// @param K, M r x r, M positive definite

@@ -27,11 +27,19 @@ struct BothModes {
   BaseModes now;
   BaseModes after;
   std::vector<Index> becomes;  ///< of each mode now the one after
-  MatrixXd u;                  ///< modes after in those now, r x count
-  MatrixXd of_now;             ///< modes now in those after, count x r
+  MatrixXd u;                  ///< modes after in those now, n_now x count
+  MatrixXd of_now;             ///< modes now in those after, count x n_now
 };
 
-// By shape: of modes that change places each keeps its own.
+// Columns with what sits on springs of its own, below the base's coordinates.
+MatrixXd with_own(const BaseModes& modes) {
+  MatrixXd all(modes.phi.rows() + modes.own.rows(), modes.phi.cols());
+  all << modes.phi, modes.own;
+  return all;
+}
+
+// By shape: of modes that change places each keeps its own. What the change
+// brings on springs of its own is at rest in the modes now.
 BothModes both_modes(const ChangedModel& model) {
   BothModes both{model.now->full_modes(model.state),
                  model.after->full_modes(model.changed()),
@@ -39,17 +47,19 @@ BothModes both_modes(const ChangedModel& model) {
                  {},
                  {}};
   const double top = two_pi * 1.5 * model.now->context().high_hz;
-  const Index r = both.now.omega.size();
+  const MatrixXd now = with_own(both.now);
+  const MatrixXd after = with_own(both.after);
+  const Index r = now.rows();
   const Index first = (both.now.omega.array() < top).count();
   const Index all = std::min(
-      r, std::max<Index>(first, (both.after.omega.array() < top).count()) + 3);
-  both.u = both.now.phi.partialPivLu().solve(both.after.phi.leftCols(all));
-  both.of_now = both.after.phi.partialPivLu().solve(both.now.phi).topRows(all);
-  MatrixXd cost(first, all);
-  for (Index k = 0; k < all; ++k) {
-    cost.col(k) =
-        -both.u.col(k).head(first).cwiseAbs2() / both.u.col(k).squaredNorm();
-  }
+      after.rows(),
+      std::max<Index>(first, (both.after.omega.array() < top).count()) + 3);
+  both.u = now.partialPivLu().solve(after.topLeftCorner(r, all));
+  MatrixXd at_rest = MatrixXd::Zero(after.rows(), r);
+  at_rest.topRows(r) = now;
+  both.of_now = after.partialPivLu().solve(at_rest).topRows(all);
+  // By the share of a mode's energy: an absorber's own mode has little of any.
+  const MatrixXd cost = -both.u.topRows(first).cwiseAbs2();
   if (first > 0) both.becomes = modal::assign(cost);
   return both;
 }

@@ -352,4 +352,32 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   return all;
 }
 
+void add_forms_of_few(std::vector<Hypothesis>& found,
+                      const Fit& current,
+                      const Fitter& fitter,
+                      const Progress& progress) {
+  Reach reach(current, fitter);
+  for (const Hypothesis& h : found) reach.take(h);
+  std::vector<Kind> few;
+  for (const Hypothesis& h : found) {
+    Kind kind{h.own().effect, {h}, h.places};
+    if (kind.has_neighbours() || reach.is_hopeless(h)) continue;
+    const auto known = std::ranges::find(few, kind.effect, &Kind::effect);
+    if (known == few.end()) {
+      few.push_back(std::move(kind));
+    } else {
+      known->found.push_back(h);
+    }
+  }
+  std::map<const effects::Effect*, std::size_t> plain;
+  for (const Kind& kind : few) plain[kind.effect] = kind.found.size();
+  try_forms(few, current, fitter, {}, reach, progress);
+  for (Kind& kind : few) {
+    for (std::size_t k = plain[kind.effect]; k < kind.found.size(); ++k) {
+      found.push_back(std::move(kind.found[k]));
+      found.back().places = kind.tries;
+    }
+  }
+}
+
 }  // namespace tapfit::updating

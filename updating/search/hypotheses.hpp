@@ -23,4 +23,14 @@ namespace tapfit::updating {
     const HypothesisOptions& options,
     const Progress& progress);
 
+/// Adds other forms of supports and sensors, which are few, that do better than
+/// the plain ones: a clamp that gives in two ways may look like something else
+/// in either.
+/// @param found by a quick look, as judged; only what comes near the best of it
+///   is taken further
+void add_forms_of_few(std::vector<Hypothesis>& found,
+                      const Fit& current,
+                      const Fitter& fitter,
+                      const Progress& progress);
+
 }  // namespace tapfit::updating

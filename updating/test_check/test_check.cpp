@@ -7,6 +7,7 @@
 #include "acquisition/checks/rejected_hits.hpp"
 #include "acquisition/checks/repeated_runs.hpp"
 #include "acquisition/checks/steady_tones.hpp"
+#include "acquisition/checks/tip_change.hpp"
 #include "acquisition/checks/value_jumps.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/checks/channel_phase.hpp"
@@ -120,6 +121,7 @@ class Checker {
     add(acquisition::jump_findings(bundle, recordings, hits));
     add(acquisition::tone_findings(bundle, recordings, hits));
     add(acquisition::trigger_findings(bundle, recordings, hits));
+    add(acquisition::tip_change_findings(bundle, hits));
     add(acquisition::rejected_hit_findings(bundle, recordings, hits));
     add(acquisition::clipping_findings(bundle, recordings, hits));
     add(blow_response_findings(bundle,
@@ -199,8 +201,21 @@ class Checker {
     if (!reached([&] { (void)session_.modes(progress_); })) return {};
     const modal::ModeSet& modes = session_.modes();
     progress_("checks of the modes", 0.0);
-    add(run_pole_findings(bundle, set, modes));
-    add(run_residue_findings(bundle, set, modes));
+    const std::vector<Finding> poles = run_pole_findings(bundle, set, modes);
+    std::set<std::size_t> foreign;
+    for (const Finding& of : poles) {
+      if (of.severity != Severity::Error) continue;
+      foreign.insert(of.where.runs.begin(), of.where.runs.end());
+    }
+    add(poles);
+    for (Finding& finding : run_residue_findings(bundle, set, modes)) {
+      // Runs that are no part of the test have patterns of their own.
+      const bool said = !finding.where.runs.empty() &&
+                        std::ranges::all_of(
+                            finding.where.runs,
+                            [&](std::size_t r) { return foreign.contains(r); });
+      if (!said) add({std::move(finding)});
+    }
     add(modal_mass_findings(bundle, set, modes, mass().value_or(0.0)));
     std::vector<Finding> kinds = motion_kind_findings(bundle, set, modes);
     std::set<std::string> told;

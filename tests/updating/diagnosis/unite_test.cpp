@@ -1,9 +1,11 @@
 #include "tests/updating/support/hidden_in_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
+#include "updating/diagnosis/effect_forms.hpp"
 #include "updating/diagnosis/forward_selection.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -68,6 +70,43 @@ TEST_F(Unite, OtherEffectsStayApart) {
   ASSERT_EQ(fit.effects.size(), 2U);
   EXPECT_EQ(fit.effects[0].where.variant, "rotation");
   EXPECT_EQ(chosen.size(), 2U);
+}
+
+// A clamp that only turns, and one that moves as well.
+TEST_F(Unite, FormIsThePlainOneWhereThatIsAsLikely) {
+  Location grid;
+  grid.node = 30;
+  const EffectInstance mass{&effects::find("added-mass"), grid, {0.05}};
+  hide({soft("rotation"), mass});
+  const Fit beside = fitted({soft("both"), mass});
+  ASSERT_EQ(beside.effects[0].where.variant, "both");
+  const auto plain = in_plain_form(beside, 0, *fitter_, {});
+  ASSERT_TRUE(plain);
+  EXPECT_EQ(plain->effects[0].where.variant, "rotation");
+  // The same model made the FRFs; the fit stops within 1e-3 of its objective.
+  EXPECT_NEAR(plain->effects[0].p[0] / soft("rotation").p[0], 1.0, 1e-2);
+  EXPECT_FALSE(in_plain_form(beside, 1, *fitter_, {}));  // has no form
+  hide({soft("both"), mass});
+  EXPECT_FALSE(in_plain_form(fitted({soft("both"), mass}), 0, *fitter_, {}));
+}
+
+// A quick look takes one motion of the clamp; its forms are added, and better.
+TEST_F(Unite, QuickLookIsGivenTheFormsOfWhatComesNear) {
+  hide({soft("both")});
+  const Fit base = fitted({});
+  const ForwardSelection search(*fitter_, {});
+  const CandidateRanking quick =
+      search.look(base, ForwardSelection::Depth::Quick, {});
+  const auto has_both = [](const CandidateRanking& round) {
+    return std::ranges::any_of(round.hypotheses, [](const Hypothesis& h) {
+      return h.own().where.variant == "both";
+    });
+  };
+  EXPECT_FALSE(has_both(quick));
+  const CandidateRanking formed = search.with_forms(quick, base, {});
+  ASSERT_TRUE(has_both(formed));
+  EXPECT_EQ(formed.hypotheses.front().own().where.variant, "both");
+  EXPECT_EQ(formed.probability.size(), formed.hypotheses.size() + 1);
 }
 
 }  // namespace

@@ -327,6 +327,28 @@ TEST_F(PredictedOscillator, WithAMassIsLowerAndItsFrfAsInClosedForm) {
             10.0 * prediction.frf_changes[0].sd);
 }
 
+// Two masses in a row, with mu = m / M and both w of the hosts alone:
+//
+//   (w1^2 - w^2) (w2^2 - w^2) = mu w2^2 w^2
+//
+// Den Hartog, "Mechanical Vibrations", section 3.2. Above its own frequency a
+// host is pushed up by an absorber tuned below it.
+TEST_F(PredictedOscillator, WithAnAbsorberBelowItIsPushedUp) {
+  const double host = std::sqrt(spring / mass_kg);
+  const double own = 0.7 * host;
+  constexpr double mu = 0.05;
+  const Prediction prediction = predicted(
+      fmt::format("absorber@1={},{},0.001", mu * mass_kg, own / two_pi)
+          .c_str());
+  const double sum = host * host + own * own * (1.0 + mu);
+  const double product = host * host * own * own;
+  const double upper =
+      std::sqrt(0.5 * sum + std::sqrt(0.25 * sum * sum - product));
+  ASSERT_EQ(prediction.modes.size(), 1U);
+  EXPECT_GT(upper, 1.01 * host);
+  EXPECT_NEAR(prediction.modes[0].model_after_hz, upper / two_pi, 1e-6 * host);
+}
+
 // zeta' = zeta + c / (2 M omega).
 TEST_F(PredictedOscillator, WithADamperHasItsRatioOnTop) {
   const Prediction prediction = predicted("dashpot@1=4");

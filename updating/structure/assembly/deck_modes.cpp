@@ -61,28 +61,53 @@ MatrixXd rigid_motions(const Deck& deck, const std::set<int>& turned) {
   return R;
 }
 
-// Those that leave every held degree of freedom where it is, on the free ones.
-MatrixXd allowed_motions(const Deck& deck,
-                         const System& system,
-                         const std::vector<int>& free) {
-  const MatrixXd R = rigid_motions(deck, constraint_axes(deck).turned);
+// Energies below this share of their parts are rounding.
+constexpr double rounding = 1e-12;
+
+// Held entries of grids that nothing is joined to.
+std::vector<int> held_alone(const System& system) {
+  const VectorXd stiffness = system.K.diagonal();
   std::vector<int> held;
   for (std::size_t i = 0; i < system.fixed.size(); ++i) {
-    if (system.fixed[i]) held.push_back(static_cast<int>(i));
+    const auto first = static_cast<Index>(i / 6 * 6);
+    const bool joined = (stiffness.segment<6>(first).array() != 0.0).any();
+    if (system.fixed[i] && !joined) held.push_back(static_cast<int>(i));
   }
-  if (held.empty()) return R(free, Eigen::all);
-  Eigen::FullPivLU<MatrixXd> lu(R(held, Eigen::all));
+  return held;
+}
+
+// Those of the columns that leave these rows at rest.
+MatrixXd at_rest(const MatrixXd& R, const std::vector<int>& rows) {
+  if (rows.empty()) return R;
+  Eigen::FullPivLU<MatrixXd> lu(R(rows, Eigen::all));
   lu.setThreshold(1e-9);
-  if (lu.dimensionOfKernel() == 0) {
-    return MatrixXd(static_cast<Index>(free.size()), 0);
+  if (lu.dimensionOfKernel() == 0) return R.leftCols(0);
+  return R * lu.kernel();
+}
+
+// Those that stretch nothing while all that is held stays where it is, on the
+// free entries: what is held but not tied to what moves does not stop it,
+// unless nothing at all is joined there. Such a support was meant to hold.
+MatrixXd allowed_motions(const Deck& deck,
+                         const System& system,
+                         const FreeMotions& motions,
+                         const SparseMatrix& K) {
+  MatrixXd R = at_rest(rigid_motions(deck, constraint_axes(deck).turned),
+                       held_alone(system))(motions.free, Eigen::all);
+  const VectorXd stiffness = K.diagonal();
+  for (Index c = 0; c < R.cols(); ++c) {
+    const double parts = R.col(c).cwiseAbs2().dot(stiffness);
+    R.col(c) /= parts > 0.0 ? std::sqrt(parts) : 1.0;
   }
-  const MatrixXd kernel = lu.kernel();
-  return R(free, Eigen::all) * kernel;
+  if (R.cols() == 0) return R;
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(R.transpose() *
+                                                       MatrixXd(K * R));
+  const Index count = (solver.eigenvalues().array() <= rounding).count();
+  return R * solver.eigenvectors().leftCols(count);
 }
 
 // Modes whose energy is rounding of what its parts cancel from.
 MatrixXd motions_without_stiffness(const SparseMatrix& K, const MatrixXd& phi) {
-  constexpr double rounding = 1e-12;
   std::vector<Index> loose;
   for (Index i = 0; i < phi.cols(); ++i) {
     const VectorXd u = phi.col(i);
@@ -183,13 +208,13 @@ std::vector<std::string> mechanism_warnings(const Deck& deck,
                                             const MatrixXd& phi) {
   std::vector<std::string> warnings = autospc_warnings(deck, system);
   const FreeMotions motions = free_motions(system);
-  const MatrixXd loose =
-      motions_without_stiffness(motions.reduce(system.K), phi);
+  const SparseMatrix K = motions.reduce(system.K);
+  const MatrixXd loose = motions_without_stiffness(K, phi);
   if (loose.cols() == 0) return warnings;
   for (std::string& text : describe(deck,
                                     motions.reduce(system.M),
                                     loose,
-                                    allowed_motions(deck, system, motions.free),
+                                    allowed_motions(deck, system, motions, K),
                                     motions.free)) {
     warnings.push_back(std::move(text));
   }

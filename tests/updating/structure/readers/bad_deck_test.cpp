@@ -366,6 +366,24 @@ TEST(BadDeck, FreeStructureIsNoMechanismButTwoPartsAre) {
   EXPECT_THAT(found[0], HasSubstr("6 motions without stiffness"));
 }
 
+// A grid that is held but for the spring on it, as an absorber has one, lets
+// the structure go where the spring does not follow; so does a hanging on
+// springs to ground. A support that nothing is joined to was meant to hold.
+TEST(BadDeck, HeldGridsOnSpringsLetTheRestMove) {
+  const std::string plate =
+      grid_cards_text + "CQUAD4,5,1,1,2,3,4\nPARAM,COUPMASS,1\n";
+  EXPECT_TRUE(warnings_of(plate + "GRID,9,,0.,0.,0.,,12456\nCONM2,9,9,,.1\n"
+                                  "CELAS2,11,100.,1,3,9,3\n")
+                  .empty());
+  EXPECT_TRUE(warnings_of(plate + "GRID,9,,0.,0.,0.,,123456\n"
+                                  "CELAS2,11,100.,1,3,9,3\n")
+                  .empty());
+  const std::vector<std::string> found =
+      warnings_of(plate + "GRID,9,,0.,0.,0.,,123456\n");
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_THAT(found[0], HasSubstr("6 motions without stiffness"));
+}
+
 TEST(BadDeck, MechanismWithoutMassNamesAGrid) {
   // Two springs in a row with nothing between them and ground.
   const InputError error = error_of(
