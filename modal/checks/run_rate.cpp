@@ -51,12 +51,12 @@ VectorXcd within(const VectorXcd& s, const VectorXcd& poles) {
 
 std::vector<double> rate_ratios() {
   constexpr std::array rates{44.1, 48.0, 50.0, 51.2, 64.0, 65.536};
-  constexpr double most = 4.0;
+  constexpr double most = 2.0;
   constexpr double same = 1e-6;
   std::vector<double> ratios;
   for (const double rate : rates) {
     for (const double other : rates) {
-      for (double ratio = rate / other / 8.0; ratio <= most; ratio *= 2.0) {
+      for (double ratio = rate / other / 4.0; ratio <= most; ratio *= 2.0) {
         if (ratio < 1.0 / most || std::abs(ratio - 1.0) < same) continue;
         ratios.push_back(ratio);
       }
@@ -74,23 +74,35 @@ std::optional<double> rate_ratio(const signal::FrfSet& run,
                                  double usual,
                                  const RunRateLimits& limits) {
   if (poles.size() == 0 || run.lines() == 0) return {};
-  constexpr Index fewest_lines = 20;
-  const double enough = limits.times_usual * usual + share_left;
-  double least = limits.explained;
-  std::optional<double> best;
+  struct Tried {
+    double ratio = 0.0;
+    double left = 0.0;
+    double as_it_is = 0.0;
+  };
+  std::vector<Tried> all;
   for (const double ratio : rate_ratios()) {
     const signal::FrfSet lines = known_lines(run, ratio);
-    if (lines.lines() < fewest_lines) continue;
+    if (static_cast<double>(lines.lines()) <
+        limits.share_of_lines * static_cast<double>(run.lines()))
+      continue;
     const VectorXcd scaled = within(lines.s, ratio * poles);
-    if (scaled.size() == 0) continue;
-    const double left = left_by(scaled, lines);
-    if (left > enough) continue;
-    const double of_what = left_by(within(lines.s, poles), lines);
-    if (left >= least * of_what) continue;
-    least = left / of_what;
-    best = ratio;
+    if (scaled.size() < limits.fewest_modes) continue;
+    all.push_back({ratio,
+                   left_by(scaled, lines),
+                   left_by(within(lines.s, poles), lines)});
   }
-  return best;
+  if (all.empty()) return {};
+  const Tried best = *std::ranges::min_element(all, {}, &Tried::left);
+  // Many poles close together explain anything, at any ratio.
+  const bool alone = std::ranges::all_of(all, [&](const Tried& other) {
+    return std::abs(std::log(other.ratio / best.ratio)) < limits.beside ||
+           best.left < limits.alone * other.left;
+  });
+  if (!alone || best.left > limits.times_usual * usual + share_left ||
+      best.left > limits.explained * best.as_it_is) {
+    return {};
+  }
+  return best.ratio;
 }
 
 }  // namespace tapfit::modal

@@ -19,14 +19,21 @@
 namespace tapfit::modal {
 
 struct RunRateLimits {
+  /// That the ratio must explain: of fewer some ratio explains any.
+  Eigen::Index fewest_modes = 3;
   /// What the ratio may leave of the run against what is left as it is.
   double explained = 0.25;
+  /// Of what any ratio leaves that is further away than `beside`.
+  double alone = 0.5;
+  double beside = 0.05;  ///< of its logarithm
+  /// Of the run's lines that the others' band must reach.
+  double share_of_lines = 0.45;
   /// Times what the poles leave of the other runs that it may leave, beside two
   /// per cent.
   double times_usual = 3.0;
 };
 
-/// Ratios of two rates, between a quarter and four, 1 left out; ascending.
+/// Ratios of two rates, between a half and two, 1 left out; ascending.
 [[nodiscard]] std::vector<double> rate_ratios();
 
 /// The ratio that explains a run's FRFs by the others' poles.

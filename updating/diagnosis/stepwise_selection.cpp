@@ -5,6 +5,7 @@
 #include "updating/fit/overall_progress.hpp"
 #include "updating/localisation/run_drift.hpp"
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -93,7 +94,15 @@ bool StepwiseSelection::try_to_add(bool first,
   const Hypothesis& added = round.hypotheses[best];
   worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
   if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
-  if (!worth.earned() || !is_told(added.fit)) return false;
+  // Of two that are right together either may leave more than the properties do
+  // that make up for both.
+  Worth together = worth;
+  if (next) {
+    const Fit& both = next->hypotheses.front().fit;
+    together.with_it = std::min(
+        worth.with_it, fitter_->held_out_error(both, held_out_folds, rest));
+  }
+  if (!together.earned() || !is_told(added.fit)) return false;
   worth.gain = added.log_gain;
   worth.share = worth_it;
   before_pair_.reset();  // a second followed
