@@ -2,7 +2,6 @@
 
 #include "updating/comparison/form_share.hpp"
 #include "updating/effects/effect_ref.hpp"
-#include "updating/effects/effects.hpp"
 #include "updating/prediction/changed_model.hpp"
 #include "updating/prediction/predicted_frfs.hpp"
 #include "updating/prediction/predicted_modes.hpp"
@@ -34,13 +33,8 @@ std::vector<std::size_t> measured_runs(const FitProblem& problem) {
   return {runs.begin(), runs.end()};
 }
 
-bool holds_absorber(const std::vector<EffectInstance>& effects) {
-  return std::ranges::any_of(effects, [](const EffectInstance& placed) {
-    return placed.effect == &effects::absorber();
-  });
-}
-
-std::vector<std::string> warnings_of(const Prediction& prediction) {
+std::vector<std::string> warnings_of(const Prediction& prediction,
+                                     const ChangedModel& model) {
   // Beyond three deviations a mode is no longer what the fit says it is; a
   // shape that is less than half its own is another.
   constexpr double far = 3.0;
@@ -64,10 +58,9 @@ std::vector<std::string> warnings_of(const Prediction& prediction) {
                       mode.mac));
     }
   }
-  if (holds_absorber(prediction.with) || holds_absorber(prediction.change)) {
-    warnings.emplace_back(
-        "an absorber is in the frequencies only as the mass or spring that it "
-        "is in the middle of the band; FRFs hold it as it is");
+  for (const double hz : new_frequencies(model)) {
+    warnings.push_back(
+        fmt::format("the change brings a mode of its own, at {:.4g} Hz", hz));
   }
   return warnings;
 }
@@ -102,7 +95,7 @@ Prediction predict_change(const PredictionBasis& basis,
     prediction.frf_changes =
         frf_changes(model, basis.fitter.target(), known.covariance, form);
   }
-  prediction.warnings = warnings_of(prediction);
+  prediction.warnings = warnings_of(prediction, model);
   return prediction;
 }
 

@@ -272,4 +272,19 @@ std::vector<PredictedMode> predicted_modes(const ChangedModel& model,
   return modes;
 }
 
+std::vector<double> new_frequencies(const ChangedModel& model) {
+  const BothModes both = both_modes(model);
+  if (both.after.own.rows() == both.now.own.rows()) return {};
+  const effects::TestContext& context = model.now->context();
+  std::vector<double> fresh;
+  for (Index k = 0; k < both.u.cols(); ++k) {
+    const double hz = both.after.omega(k) / two_pi;
+    const bool known = std::ranges::find(both.becomes, k) != both.becomes.end();
+    if (!known && hz >= context.low_hz && hz <= context.high_hz) {
+      fresh.push_back(hz);
+    }
+  }
+  return fresh;
+}
+
 }  // namespace tapfit::updating

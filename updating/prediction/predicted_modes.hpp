@@ -42,4 +42,8 @@ struct KnownNow {
 [[nodiscard]] std::vector<PredictedMode> predicted_modes(
     const ChangedModel& model, const KnownNow& known);
 
+/// Frequencies in the band that no mode before the change becomes: what it
+/// brings on springs of its own [Hz].
+[[nodiscard]] std::vector<double> new_frequencies(const ChangedModel& model);
+
 }  // namespace tapfit::updating

@@ -80,11 +80,14 @@ TEST_F(RunRate, IsNotFoundInAnotherState) {
   EXPECT_FALSE(rate_ratio(loaded, poles(), 0.01));
 }
 
-// Of one mode or two any other structure's is a ratio of two rates.
+// Of one mode in the band any other structure's is about a ratio of two rates.
 TEST_F(RunRate, IsNotToldByFewModes) {
+  system_ = test::random_system(1, 4, 0.005, 0.015, random_);
   const signal::FrfSet run = run_at(51.2 / 50.0);
-  EXPECT_TRUE(rate_ratio(run, poles(), 0.01));
-  EXPECT_FALSE(rate_ratio(run, poles().head(2), 0.01));
+  EXPECT_FALSE(rate_ratio(run, poles(), 0.01));
+  RunRateLimits one;
+  one.fewest_modes = 1;
+  EXPECT_TRUE(rate_ratio(run, poles(), 0.01, one));
 }
 
 }  // namespace

@@ -347,6 +347,11 @@ TEST_F(PredictedOscillator, WithAnAbsorberBelowItIsPushedUp) {
   ASSERT_EQ(prediction.modes.size(), 1U);
   EXPECT_GT(upper, 1.01 * host);
   EXPECT_NEAR(prediction.modes[0].model_after_hz, upper / two_pi, 1e-6 * host);
+  const double lower = std::sqrt(product) / upper;
+  ASSERT_EQ(prediction.warnings.size(), 1U);
+  EXPECT_NE(
+      prediction.warnings[0].find(fmt::format("at {:.4g} Hz", lower / two_pi)),
+      std::string::npos);
 }
 
 // zeta' = zeta + c / (2 M omega).
