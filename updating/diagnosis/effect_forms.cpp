@@ -1,5 +1,6 @@
 #include "updating/diagnosis/effect_forms.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "updating/effects/effect_instance.hpp"
 
 #include <algorithm>
@@ -75,11 +76,17 @@ std::optional<Fit> in_plain_form(const Fit& fit,
   constexpr double clearly = 1.0;
   const EffectInstance& own = fit.effects[k];
   if (!is_form(own)) return std::nullopt;
-  std::optional<Fit> best;
-  for (EffectInstance& plain : plain_ones(own, fitter.problem().context)) {
+  const std::vector<EffectInstance> plain =
+      plain_ones(own, fitter.problem().context);
+  std::vector<Fit> fits(plain.size());
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(plain.size(), [&](std::size_t n) {
     std::vector<EffectInstance> effects = fit.effects;
-    effects[k] = std::move(plain);
-    Fit other = fitter.fit(effects, fitter.model_for(effects), progress);
+    effects[k] = plain[n];
+    fits[n] = fitter.fit(effects, fitter.model_for(effects), quiet);
+  });
+  std::optional<Fit> best;
+  for (Fit& other : fits) {
     const double least =
         best ? best->log_likelihood : fit.log_likelihood - clearly;
     if (other.log_likelihood > least) best = std::move(other);

@@ -1,5 +1,6 @@
 #include "updating/diagnosis/forward_selection.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/candidate.hpp"
 #include "updating/diagnosis/effect_forms.hpp"
@@ -247,9 +248,17 @@ Fit ForwardSelection::relocate(Fit fit,
     if (auto plain = in_plain_form(fit, k, *fitter_, progress)) {
       fit = *std::move(plain);
     }
-    const Fit known = with_last(fit, k, progress);
-    const CandidateRanking round =
-        look(refit(without(fit, k), progress), Depth::Nearby, progress, &known);
+    Fit known;
+    Fit rest;
+    const Progress quiet{{}, progress.stop};
+    for_each_parallel(2, [&](std::size_t which) {
+      if (which == 0) {
+        known = with_last(fit, k, quiet);
+      } else {
+        rest = refit(without(fit, k), quiet);
+      }
+    });
+    const CandidateRanking round = look(rest, Depth::Nearby, progress, &known);
     if (round.hypotheses.empty()) continue;
     const Hypothesis& best = round.hypotheses.front();
     // Masses of their own, where one for all sensors does as well.

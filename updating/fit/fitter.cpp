@@ -1,5 +1,6 @@
 #include "updating/fit/fitter.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/stiffness_loss.hpp"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -361,32 +363,32 @@ double Fitter::held_out_error(const Fit& fit,
   const int groups = std::min<int>(folds, static_cast<int>(runs.size()));
   if (groups < 2) return fit.result.error;
   const Prior prior = prior_for(*fit.model, fit.result.state);
-  double sum = 0.0;
-  double count = 0.0;
-  for (int group = 0; group < groups; ++group) {
+  constexpr MinimiseOptions brief_refit{6, 1e-4};
+  const Progress quiet{{}, progress.stop};
+  std::vector<double> squared(static_cast<std::size_t>(groups));
+  std::vector<double> count(squared.size());
+  for_each_parallel(squared.size(), [&](std::size_t group) {
     Target training = whole;
     Target test = whole;
-    int position = 0;
+    std::size_t position = 0;
     for (const std::size_t run : runs) {
-      const bool out = position++ % groups == group;
+      const bool out = position++ % squared.size() == group;
       for (std::size_t f = 0; f < whole.run.size(); ++f) {
         if (whole.run[f] != run) continue;
         training.use[f] = out ? 0.0 : whole.use[f];
         test.use[f] = out ? whole.use[f] : 0.0;
       }
     }
-    MinimiseOptions options;
-    options.most_steps = 6;
-    options.tolerance = 1e-4;
     const UpdateResult refit = update(
-        *fit.model, training, fit.result.state, prior, options, progress);
+        *fit.model, training, fit.result.state, prior, brief_refit, quiet);
     const ModelResponse response =
         fit.model->respond(refit.state, whole.s, false);
     const double error = relative_error(test, response.H);
-    sum += error * error * test.count();
-    count += test.count();
-  }
-  return std::sqrt(sum / count);
+    squared[group] = error * error * test.count();
+    count[group] = test.count();
+  });
+  return std::sqrt(std::accumulate(squared.begin(), squared.end(), 0.0) /
+                   std::accumulate(count.begin(), count.end(), 0.0));
 }
 
 }  // namespace tapfit::updating
