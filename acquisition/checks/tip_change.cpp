@@ -95,20 +95,21 @@ std::vector<Finding> tip_change_findings(const TestBundle& bundle,
   for (std::size_t r = change->first; r < hits.runs.size(); ++r) {
     where.runs.push_back(r);
   }
-  return {
-      {lost > much_db ? Severity::Warning : Severity::Note,
-       std::move(where),
-       fmt::format("the blows last {:.2g} ms from run {} on, {:.2g} ms in "
-                   "the runs before: {:.2g} dB {} force at {:.4g} Hz",
-                   1e3 * change->after_s,
-                   change->first + 1,
-                   1e3 * change->before_s,
-                   lost,
-                   softer ? "less" : "more",
-                   high),
-       fmt::format("a {} tip, or another hammer", softer ? "softer" : "harder"),
-       "hit all points with one tip, or let band_hz end where the softer "
-       "one still gives force"}};
+  return {{lost > much_db ? Severity::Warning : Severity::Note,
+           std::move(where),
+           fmt::format("the blows last {:.2g} ms from run {} on, {:.2g} ms in "
+                       "the runs before: {:.2g} dB {} force at {:.4g} Hz",
+                       1e3 * change->after_s,
+                       change->first + 1,
+                       1e3 * change->before_s,
+                       lost,
+                       softer ? "less" : "more",
+                       high),
+           fmt::format("a {} tip, another hammer, or points that give {}",
+                       softer ? "softer" : "harder",
+                       softer ? "more" : "less"),
+           "hit all points with one tip, or let band_hz end where the softer "
+           "one still gives force"}};
 }
 
 }  // namespace tapfit::acquisition

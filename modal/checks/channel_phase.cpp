@@ -163,6 +163,7 @@ ChannelPhase phase_of(std::size_t channel,
     if (sums.size(k) > 0.0) ww += w(k) * w(k);
   }
   phase.delay_sd = std::sqrt(variance / ww);
+  if (!(w.minCoeff() > 0.0)) return phase;  // a mode that does not swing
   const PhaseFilter high = best_filter(sums, w, true);
   const PhaseFilter low = best_filter(sums, w, false);
   phase.filter = high.left < low.left ? high : low;
