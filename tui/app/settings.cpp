@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/nearest_word.hpp"
+#include "acquisition/foundation/parse_json.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -134,7 +135,8 @@ Settings read_settings(const std::optional<fs::path>& file) {
   if (!file || !fs::exists(*file, fault)) return settings;
   settings.file = file;
   try {
-    const json root = json::parse(acquisition::read_input(*file));
+    const json root =
+        parse_json(acquisition::read_input(*file), file->filename().string());
     if (!root.is_object()) {
       settings.faults.emplace_back("holds no settings: write { ... }");
       return settings;
@@ -149,8 +151,6 @@ Settings read_settings(const std::optional<fs::path>& file) {
     }
   } catch (const InputError& error) {
     settings.faults.emplace_back(error.what());
-  } catch (const json::exception& error) {
-    settings.faults.push_back(fmt::format("is no JSON ({})", error.what()));
   }
   return settings;
 }
