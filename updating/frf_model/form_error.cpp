@@ -36,6 +36,10 @@ struct Weighed {
 // A view with one tau, in coordinates in which S F' F S is tridiagonal: all
 // sigmas are told from there in as many operations as there are patterns.
 class Scaled {
+  // A row is worked on as a whole.
+  using Rows =
+      Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
  public:
   Scaled(const FormView& view, double tau)
       : view_(&view),
@@ -56,7 +60,7 @@ class Scaled {
     const FormView& v = *view_;
     Weighed result;
     const Index k = along_.size();
-    MatrixXd solved(k, 1 + moved_.cols());
+    Rows solved(k, 1 + moved_.cols());
     solved << along_, moved_;
     result.volume = solve(g, solved);
     const double own = v.whole - g * along_.dot(solved.col(0));
@@ -92,7 +96,7 @@ class Scaled {
 
  private:
   // (I + g T)^-1 X in place; ln det of what is inverted.
-  double solve(double g, MatrixXd& X) const {
+  double solve(double g, Rows& X) const {
     const Index k = X.rows();
     VectorXd pivot(k);
     double volume = 0.0;
@@ -108,7 +112,7 @@ class Scaled {
     }
     for (Index i = k - 1; i >= 0; --i) {
       if (i + 1 < k) X.row(i) -= g * beside_(i) * X.row(i + 1);
-      X.row(i) /= pivot(i);
+      X.row(i) *= 1.0 / pivot(i);
     }
     return volume;
   }

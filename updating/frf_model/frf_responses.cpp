@@ -4,6 +4,7 @@
 #include "updating/frf_model/modal_superposition.hpp"
 #include "updating/frf_model/run_response.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <utility>
@@ -77,12 +78,74 @@ double FrfModel::left_by_mesh(const ModelState& state,
   return mesh_left_over * beside * std::abs(K / square - M);
 }
 
+namespace {
+
+// What the first modes move at each point, times their omega: lines x modes of
+// one point after another.
+class MotionsByPoint {
+ public:
+  MotionsByPoint(const VectorXd& omega, Index points, Index lines)
+      : omega_(omega),
+        at_(static_cast<std::size_t>(points), MatrixXcd(lines, omega.size())) {}
+
+  /// @param X all modes x points
+  void take(Index line, const MatrixXcd& X) {
+    for (std::size_t p = 0; p < at_.size(); ++p) {
+      const auto moved = X.col(static_cast<Index>(p)).head(omega_.size());
+      at_[p].row(line) = omega_.cwiseProduct(moved).transpose();
+    }
+  }
+  [[nodiscard]] const MatrixXcd& at(Index point) const {
+    return at_[static_cast<std::size_t>(point)];
+  }
+
+ private:
+  VectorXd omega_;
+  std::vector<MatrixXcd> at_;
+};
+
+// What all modes have in common, as weights of their o r: each its stiffness,
+// that with its order, and that of those beyond the first.
+MatrixXd common_weights(const VectorXd& omega, double top, Index first) {
+  constexpr double reach = 4.0;  // of the band: those that are modes, not
+                                 // responses of still higher ones
+  MatrixXd weights(omega.size(), 3);
+  weights.col(0) = omega.cwiseAbs2();
+  weights.col(1) = weights.col(0).cwiseProduct((omega / top).cwiseMin(reach));
+  weights.col(2) = weights.col(1);
+  weights.col(2).head(first).setZero();
+  return weights;
+}
+
+// Of one pair: those of the entries, and the common ones by what they are yet
+// to be scaled.
+// @param o, r of its response and reference
+void take_pair(const std::vector<FormEntry>& entries,
+               const MatrixXcd& o,
+               const MatrixXcd& r,
+               const VectorXcd& scale,
+               Index frf,
+               std::vector<MatrixXcd>& patterns) {
+  const MatrixXcd scaled = scale.asDiagonal() * o;
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    const auto [i, j] = entries[k];
+    auto change = patterns[k].col(frf);
+    change = scaled.col(i).cwiseProduct(r.col(j));
+    if (i == j) continue;
+    change += scaled.col(j).cwiseProduct(r.col(i));
+    change /= M_SQRT2;
+  }
+  for (std::size_t k = entries.size(); k < patterns.size(); ++k) {
+    patterns[k].col(frf) = patterns[k].col(frf).cwiseProduct(scale).eval();
+  }
+}
+
+}  // namespace
+
 FormPatterns FrfModel::form_patterns(const ModelState& state,
                                      const VectorXcd& s) const {
   if (modes_) return form_patterns_of_modes(state);
   constexpr double beyond = 1.3;  // of the band: modes that still show in it
-  constexpr double reach = 4.0;   // of the band: those that are modes, not
-                                  // responses of still higher ones
   const ModalState shared = modal_state(state, base_modes(state));
   const VectorXd& w = shared.modes.omega;
   const double top = 2.0 * M_PI * context_.high_hz;
@@ -93,17 +156,18 @@ FormPatterns FrfModel::form_patterns(const ModelState& state,
                    points_.transpose() * shared.modes.phi,
                    form_below * s.imag().minCoeff(),
                    modes);
-  const MatrixXcd none = MatrixXcd::Zero(s.size(), n);
-  std::vector<MatrixXcd> patterns(entries.size() + 3, none);
-  MatrixXcd& even = patterns[entries.size()];
-  MatrixXcd& linear = patterns[entries.size() + 1];
-  MatrixXcd& higher = patterns[entries.size() + 2];
-  const VectorXd w2 = w.cwiseAbs2();
-  const VectorXd order = (w / top).cwiseMin(reach);
+  Index seen = 0;
+  for (const FormEntry& e : entries) seen = std::max(seen, e.j + 1);
+  const MatrixXd common = common_weights(w, top, modes);
+  std::vector<MatrixXcd> patterns(
+      entries.size() + static_cast<std::size_t>(common.cols()),
+      MatrixXcd::Zero(s.size(), n));
   ModelResponse chain{MatrixXcd::Ones(s.size(), n), {}};
   apply_chain(pairs_, shared, s, chain);
   const MatrixXcd flexible = flexibility(shared, s);
   for (const RunResponse& lines : walks(shared)) {
+    MotionsByPoint o(w.head(seen), lines.responses.cols(), s.size());
+    MotionsByPoint r(w.head(seen), lines.references.cols(), s.size());
     for (Index l = 0; l < s.size(); ++l) {
       const VectorXcd g = flexible.col(l);
       MatrixXcd coupled;
@@ -113,24 +177,22 @@ FormPatterns FrfModel::form_patterns(const ModelState& state,
       }
       const MatrixXcd Xo = lines.columns(g, coupled, lines.responses);
       const MatrixXcd Xi = lines.columns(g, coupled, lines.references);
-      for (const WalkedPair& p : lines.pairs) {
-        const complex<double> scale = -s(l) * s(l) * chain.H(l, p.frf);
-        const auto o = Xo.col(p.response);
-        const auto r = Xi.col(p.reference);
-        for (std::size_t k = 0; k < entries.size(); ++k) {
-          const auto [i, j] = entries[k];
-          const complex<double> both =
-              i == j ? o(i) * r(i) : (o(i) * r(j) + o(j) * r(i)) / M_SQRT2;
-          const complex<double> change = scale * w(i) * w(j) * both;
-          patterns[k](l, p.frf) = change;
+      o.take(l, Xo);
+      r.take(l, Xi);
+      for (Index c = 0; c < common.cols(); ++c) {
+        const MatrixXcd weighted = common.col(c).asDiagonal() * Xi;
+        const MatrixXcd sums = Xo.transpose() * weighted;
+        auto& pattern = patterns[entries.size() + static_cast<std::size_t>(c)];
+        for (const WalkedPair& p : lines.pairs) {
+          pattern(l, p.frf) = sums(p.response, p.reference);
         }
-        const VectorXcd of =
-            scale * w2.cwiseProduct(VectorXcd(o.cwiseProduct(r)));
-        even(l, p.frf) = of.sum();
-        linear(l, p.frf) = order.cwiseProduct(of).sum();
-        const Index rest = w.size() - modes;
-        higher(l, p.frf) = order.tail(rest).cwiseProduct(of.tail(rest)).sum();
       }
+    }
+    for (const WalkedPair& p : lines.pairs) {
+      const VectorXcd scale =
+          -s.cwiseProduct(s).cwiseProduct(chain.H.col(p.frf));
+      take_pair(
+          entries, o.at(p.response), r.at(p.reference), scale, p.frf, patterns);
     }
   }
   VectorXd left = VectorXd::Zero(std::ssize(patterns));

@@ -103,16 +103,12 @@ Eigen::VectorXd stack(const Target& target,
   const double scale = 1.0 / std::sqrt(std::max(target.count(), 1.0));
   Eigen::VectorXd r =
       Eigen::VectorXd::Zero(2 * lines * frfs + (target.is_modal() ? 1 : 0));
-  Index at = 0;
+  const Eigen::ArrayXd share = scale / target.weight.array();
   for (Index f = 0; f < frfs; ++f) {
-    const double use = scale * target.use[static_cast<std::size_t>(f)];
-    for (Index l = 0; l < lines; ++l) {
-      const std::complex<double> d = use * difference(l, f) / target.weight(l);
-      r(at) = d.real();
-      r(at + lines) = d.imag();
-      ++at;
-    }
-    at += lines;
+    const double use = target.use[static_cast<std::size_t>(f)];
+    const Eigen::ArrayXcd d = (use * share) * difference.col(f).array();
+    r.segment(2 * lines * f, lines) = d.real();
+    r.segment(2 * lines * f + lines, lines) = d.imag();
   }
   return r;
 }
