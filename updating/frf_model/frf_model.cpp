@@ -120,18 +120,11 @@ Eigen::RowVectorXd FrfModel::row(const effects::InterfaceDof& dof) const {
 }
 
 BaseModes FrfModel::base_modes(const ModelState& state) const {
-  MatrixXd K = base_.K;
-  MatrixXd M = MatrixXd::Identity(base_.size(), base_.size());
-  for (std::size_t t = 0; t < base_.part_power.size(); ++t) {
-    const double c = part_coefficient(base_.part_power[t], state.factor);
-    K += c * base_.K_part[t];
-    M += c * base_.M_part[t];
-  }
+  std::vector<double> p;
   for (const StiffnessTerm& term : base_.terms) {
-    K += change_of(term, state) * term.at(state.factor);
-    if (term.N.size() == 0) continue;
-    M += mass_change_of(term, state) * term.mass_at(state.factor);
+    p.push_back(value_of(term, state));
   }
+  const auto [K, M] = base_.at(state.factor, p);
   // A base that holds changes of stiffness has not the coordinates of modes.
   return solve_modes(K, M, base_.terms.empty());
 }

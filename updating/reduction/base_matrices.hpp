@@ -20,6 +20,11 @@ struct Correction {
   double upper = 1.0;
 };
 
+struct BaseMatrices {
+  Eigen::MatrixXd K;  ///< r x r
+  Eigen::MatrixXd M;
+};
+
 struct ReducedBase {
   PointRows rows;     ///< of V, for the deck's own grids
   Eigen::MatrixXd K;  ///< r x r at nominal properties, see StiffnessTerm
@@ -31,6 +36,13 @@ struct ReducedBase {
   std::vector<StiffnessTerm> terms;     ///< of the changes asked for
 
   [[nodiscard]] Eigen::Index size() const { return K.rows(); }
+  /// @param factor of each uncertain property and correction
+  /// @param p value of each term's parameter
+  [[nodiscard]] BaseMatrices at(const std::vector<double>& factor,
+                                const std::vector<double>& p) const;
+  /// Other coordinates of the same span, or of a part of it: V Q.
+  /// @param Q r x r or fewer; Q' M Q = I
+  void turn(const Eigen::MatrixXd& Q);
 };
 
 }  // namespace tapfit::updating

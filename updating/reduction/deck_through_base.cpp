@@ -1,7 +1,6 @@
 #include "updating/reduction/deck_through_base.hpp"
 
 #include "updating/properties/uncertain_parts.hpp"
-#include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/seen_through.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -29,7 +28,7 @@ ReducedBase deck_through_base(
     result.M_part.push_back(seen_through(base.V, part.M));
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(result.K, M);
-  turn(result, modes.eigenvectors());
+  result.turn(modes.eigenvectors());
   return result;
 }
 

@@ -7,7 +7,6 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <cassert>
 #include <utility>
 
 namespace tapfit::updating {
@@ -15,19 +14,6 @@ namespace tapfit::updating {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using structure::SparseMatrix;
-
-void turn(ReducedBase& base, const MatrixXd& Q) {
-  assert(base.terms.empty());
-  const auto turn_one = [&Q](MatrixXd& A) {
-    // A property of stiffness has no mass, one of mass no stiffness.
-    A = A.isZero(0.0) ? MatrixXd(MatrixXd::Zero(Q.cols(), Q.cols()))
-                      : MatrixXd(Q.transpose() * A * Q);
-  };
-  base.rows.turn(Q);
-  turn_one(base.K);
-  for (MatrixXd& part : base.K_part) turn_one(part);
-  for (MatrixXd& part : base.M_part) turn_one(part);
-}
 
 namespace {
 
@@ -85,7 +71,7 @@ ReducedBase extended_base(const MatrixXd& V,
   MatrixXd left;
   if (!released.held.empty()) {
     left = coordinates_left(released.held, V, R);
-    turn(base, left);
+    base.turn(left);
     base.rows.set_at_rest(released.held);
   }
   const auto through = [&](const SparseMatrix& A) {
@@ -105,7 +91,7 @@ ReducedBase extended_base(const MatrixXd& V,
     }
   }
   if (base.terms.empty()) {
-    turn(base, Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
+    base.turn(Eigen::SelfAdjointEigenSolver<MatrixXd>(base.K).eigenvectors());
   }
   return base;
 }

@@ -15,9 +15,6 @@
 
 namespace tapfit::updating {
 
-/// Other coordinates of the same span, V Q, of a base without terms.
-void turn(ReducedBase& base, const Eigen::MatrixXd& Q);
-
 /// Only products with the new vectors are taken in the large space; what is
 /// known of the fixed ones is kept.
 /// @param V n x r, M-orthonormal

@@ -10,14 +10,15 @@ using Eigen::MatrixXd;
 
 PointRows::PointRows(MatrixXd columns)
     : shared_(std::make_shared<MatrixXd>(std::move(columns))),
-      own_(shared_->rows(), 0),
+      own_(std::make_shared<MatrixXd>(shared_->rows(), 0)),
       Q_(MatrixXd::Identity(shared_->cols(), shared_->cols())) {}
 
 PointRows PointRows::with(MatrixXd columns) const {
   PointRows wider = *this;
   const Index n = columns.cols();
-  wider.own_.resize(rows(), own_.cols() + n);
-  wider.own_ << own_, columns;
+  MatrixXd own(rows(), own_->cols() + n);
+  own << *own_, columns;
+  wider.own_ = std::make_shared<MatrixXd>(std::move(own));
   wider.Q_ = MatrixXd::Zero(Q_.rows() + n, Q_.cols() + n);
   wider.Q_.topLeftCorner(Q_.rows(), Q_.cols()) = Q_;
   wider.Q_.bottomRightCorner(n, n).setIdentity();
@@ -33,22 +34,22 @@ void PointRows::set_at_rest(const std::vector<int>& dofs) {
   std::ranges::sort(at_rest_);
 }
 
-Index PointRows::rows() const { return own_.rows(); }
+Index PointRows::rows() const { return own_ ? own_->rows() : 0; }
 
 Eigen::RowVectorXd PointRows::row(Index dof) const {
   if (std::ranges::binary_search(at_rest_, dof)) {
     return Eigen::RowVectorXd::Zero(cols());
   }
-  if (own_.cols() == 0) return shared_->row(dof) * Q_;
+  if (own_->cols() == 0) return shared_->row(dof) * Q_;
   return shared_->row(dof) * Q_.topRows(shared_->cols()) +
-         own_.row(dof) * Q_.bottomRows(own_.cols());
+         own_->row(dof) * Q_.bottomRows(own_->cols());
 }
 
 MatrixXd PointRows::rows_of_grid(std::size_t grid) const {
   const Index first = 6 * static_cast<Index>(grid);
   MatrixXd rows = shared_->middleRows(first, 6) * Q_.topRows(shared_->cols());
-  if (own_.cols() > 0) {
-    rows += own_.middleRows(first, 6) * Q_.bottomRows(own_.cols());
+  if (own_->cols() > 0) {
+    rows += own_->middleRows(first, 6) * Q_.bottomRows(own_->cols());
   }
   for (const Index dof : at_rest_) {
     if (dof >= first && dof < first + 6) rows.row(dof - first).setZero();
@@ -63,7 +64,7 @@ MatrixXd PointRows::all() const {
 MatrixXd PointRows::operator*(const MatrixXd& X) const {
   const MatrixXd QX = Q_ * X;
   MatrixXd result = *shared_ * QX.topRows(shared_->cols());
-  if (own_.cols() > 0) result += own_ * QX.bottomRows(own_.cols());
+  if (own_->cols() > 0) result += *own_ * QX.bottomRows(own_->cols());
   for (const Index dof : at_rest_) result.row(dof).setZero();
   return result;
 }

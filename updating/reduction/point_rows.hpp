@@ -37,9 +37,9 @@ class PointRows {
 
  private:
   std::shared_ptr<const Eigen::MatrixXd> shared_;
-  Eigen::MatrixXd own_;
-  Eigen::MatrixXd Q_;                  // columns of both x r
-  std::vector<Eigen::Index> at_rest_;  // ascending
+  std::shared_ptr<const Eigen::MatrixXd> own_;  // as many rows
+  Eigen::MatrixXd Q_;                           // columns of both x r
+  std::vector<Eigen::Index> at_rest_;           // ascending
 };
 
 }  // namespace tapfit::updating

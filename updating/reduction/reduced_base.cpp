@@ -21,8 +21,10 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
+#include <deque>
 #include <iterator>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -54,6 +56,65 @@ VectorXd pull(const AssembledBase& model,
   return largest;
 }
 
+// What is released brings a vector for each of its degrees of freedom, what
+// elements lose or carry but the few patterns that the band strains.
+bool release_dofs(const std::vector<StiffnessChange>& changes) {
+  return std::ranges::any_of(changes, [](const StiffnessChange& change) {
+    return change.kind == ChangeKind::Support ||
+           change.kind == ChangeKind::Joint;
+  });
+}
+
+// The same effects are asked for in one look after another.
+class MadeBases {
+ public:
+  struct Request {
+    std::vector<int> points;
+    std::vector<StiffnessChange> changes;
+    BaseUse use = BaseUse::Fit;
+
+    bool operator==(const Request&) const = default;
+  };
+
+  /// @return null where it was not made or is kept no longer
+  [[nodiscard]] std::shared_ptr<const ReducedBase> find(
+      const Request& request) const {
+    const std::scoped_lock lock(mutex_);
+    const auto at = std::ranges::find(made_, request, &Made::request);
+    return at == made_.end() ? nullptr : at->base;
+  }
+
+  /// @param columns that are its own
+  void keep(Request request,
+            std::shared_ptr<const ReducedBase> base,
+            Index columns) {
+    const auto matrices = static_cast<Index>(1 + 2 * base->K_part.size() +
+                                             2 * base->terms.size());
+    const Index numbers =
+        base->rows.rows() * columns + matrices * base->size() * base->size();
+    const std::scoped_lock lock(mutex_);
+    made_.push_back({std::move(request), std::move(base), numbers});
+    numbers_ += numbers;
+    while (numbers_ > most_numbers) {
+      numbers_ -= made_.front().numbers;
+      made_.pop_front();
+    }
+  }
+
+ private:
+  struct Made {
+    Request request;
+    std::shared_ptr<const ReducedBase> base;
+    Index numbers = 0;
+  };
+
+  static constexpr Index most_numbers = 8'000'000;  // 64 MB
+
+  mutable std::mutex mutex_;
+  std::deque<Made> made_;  // oldest first
+  Index numbers_ = 0;
+};
+
 }  // namespace
 
 struct BaseBuilder::Impl {
@@ -73,8 +134,10 @@ struct BaseBuilder::Impl {
     ReducedBase base;         // K diagonal
     std::vector<int> points;  // whose answers it holds, ascending
   };
-  Span wide;           // modes and static responses at options.points
-  Span lean;           // what fits need of it
+  Span wide;  // modes and static responses at options.points
+  Span lean;  // what fits need of it
+  LeanOptions lean_options;
+  MadeBases made;
   double error = 0.0;  // of FRFs through the whole
   std::vector<std::string> warnings;
   std::vector<CorrectionPart> corrected;  // parts beyond the plain ones
@@ -91,6 +154,12 @@ struct BaseBuilder::Impl {
                                 const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
+  [[nodiscard]] ReducedBase extended(
+      const Span& span,
+      const std::vector<StiffnessChange>& changes,
+      const std::vector<int>& fresh) const;
+  /// What of it fits need, with the points acted on.
+  void make_lean(ReducedBase& base, const std::vector<int>& points) const;
 };
 
 BaseBuilder::BaseBuilder(
@@ -185,8 +254,7 @@ std::vector<Correction> BaseBuilder::hold_corrections(
 }
 
 void BaseBuilder::Impl::make_lean() {
-  LeanOptions lean_options;
-  lean_options.high_hz = model.options.high_hz;
+  lean_options = {model.options.high_hz};
   std::vector<double> sd;
   for (const auto& u : model.uncertain) sd.push_back(u.sd_percent / 100.0);
   std::ranges::transform(
@@ -199,11 +267,11 @@ void BaseBuilder::Impl::make_lean() {
   lean.points = model.options.driven;
   lean.V = wide.V * Q;
   lean.base = wide.base;
-  turn(lean.base, Q);
+  lean.base.turn(Q);
   const MatrixXd own =
       Eigen::SelfAdjointEigenSolver<MatrixXd>(lean.base.K).eigenvectors();
   lean.V = (lean.V * own).eval();
-  turn(lean.base, own);
+  lean.base.turn(own);
   lean.base.rows = PointRows(lean.V.topRows(6 * model.original_grids));
 }
 
@@ -247,10 +315,58 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
   return missing_vectors(held, plain_modes(), released, changes, fresh);
 }
 
+ReducedBase BaseBuilder::Impl::extended(
+    const Span& span,
+    const std::vector<StiffnessChange>& changes,
+    const std::vector<int>& fresh) const {
+  std::optional<ReleasedSystem> own;  // where it is not the plain one
+  if (!changes.empty()) {
+    own = release(
+        model.mesh, model.system, model.plain, model.elements, changes, pulled);
+    add_regularising_mass(model.motions.free, model.options.high_hz, *own);
+  }
+  SparseMatrix lent =
+      regularising_mass(model.system, fresh, model.options.high_hz);
+  if (lent.size() > 0) {
+    if (!own) own = model.plain;
+    lent.conservativeResize(own->dofs(), own->dofs());
+    own->add_mass(lent);
+  }
+  const ReleasedSystem& released = own ? *own : model.plain;
+  ReducedBase base = extended_base(span.V,
+                                   span.base,
+                                   needed(span, released, changes, fresh),
+                                   released,
+                                   corrected);
+  for (std::size_t k = 0; k < base.terms.size(); ++k) {
+    const ScaledStiffness& scaled = released.scaled[k];
+    const StiffnessChange& change = changes[scaled.change];
+    base.terms[k].of = change.of;
+    ChangeRange& range = base.terms[k];
+    range =
+        range_of(released, scaled, change.kind, plain_modes(), model.system);
+    // Open: a plate's flaps shear past each other on next to nothing.
+    if (change.of.where.variant == crack) range.lower *= 1e-6;
+  }
+  return base;
+}
+
+void BaseBuilder::Impl::make_lean(ReducedBase& base,
+                                  const std::vector<int>& points) const {
+  std::vector<int> asked;
+  std::ranges::set_union(
+      points, model.options.driven, std::back_inserter(asked));
+  MatrixXd rows(base.size(), std::ssize(asked));
+  for (std::size_t k = 0; k < asked.size(); ++k) {
+    rows.col(static_cast<Index>(k)) = base.rows.row(asked[k]).transpose();
+  }
+  base.turn(released_span(base, rows, lean_options));
+}
+
 ReducedBase BaseBuilder::build(const std::vector<int>& points,
                                const std::vector<StiffnessChange>& changes,
                                BaseUse use) const {
-  const Impl& m = *impl_;
+  Impl& m = *impl_;
   // Held elsewhere, a structure has modes that a lean span is not made for.
   const bool elsewhere = std::ranges::any_of(
       changes,
@@ -260,39 +376,14 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   std::vector<int> fresh;
   std::ranges::set_difference(points, span.points, std::back_inserter(fresh));
   if (changes.empty() && fresh.empty()) return span.base;
-  std::optional<ReleasedSystem> own;  // where it is not the plain one
-  if (!changes.empty()) {
-    own = release(m.model.mesh,
-                  m.model.system,
-                  m.model.plain,
-                  m.model.elements,
-                  changes,
-                  m.pulled);
-    add_regularising_mass(m.model.motions.free, m.model.options.high_hz, *own);
-  }
-  SparseMatrix lent =
-      regularising_mass(m.model.system, fresh, m.model.options.high_hz);
-  if (lent.size() > 0) {
-    if (!own) own = m.model.plain;
-    lent.conservativeResize(own->dofs(), own->dofs());
-    own->add_mass(lent);
-  }
-  const ReleasedSystem& released = own ? *own : m.model.plain;
-  ReducedBase base = extended_base(span.V,
-                                   span.base,
-                                   m.needed(span, released, changes, fresh),
-                                   released,
-                                   m.corrected);
-  for (std::size_t k = 0; k < base.terms.size(); ++k) {
-    const ScaledStiffness& scaled = released.scaled[k];
-    const StiffnessChange& change = changes[scaled.change];
-    base.terms[k].of = change.of;
-    ChangeRange& range = base.terms[k];
-    range = range_of(
-        released, scaled, change.kind, m.plain_modes(), m.model.system);
-    // Open: a plate's flaps shear past each other on next to nothing.
-    if (change.of.where.variant == crack) range.lower *= 1e-6;
-  }
+  if (changes.empty()) return m.extended(span, changes, fresh);
+  MadeBases::Request request{points, changes, use};
+  if (const auto known = m.made.find(request)) return *known;
+  ReducedBase base = m.extended(span, changes, fresh);
+  const Index own = base.size() - span.V.cols();
+  if (lean && release_dofs(changes)) m.make_lean(base, points);
+  m.made.keep(
+      std::move(request), std::make_shared<const ReducedBase>(base), own);
   return base;
 }
 

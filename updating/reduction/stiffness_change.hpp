@@ -21,6 +21,8 @@ struct StiffnessChange {
   int component = 3;  ///< 1..3, the direction measured
   /// For ChangeKind::Elements: what each parameter after the first scales.
   std::vector<std::vector<int>> beside = {};
+
+  bool operator==(const StiffnessChange&) const = default;
 };
 
 /// What p may be.

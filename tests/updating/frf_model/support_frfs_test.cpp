@@ -140,7 +140,8 @@ TEST_F(FrfModelTest, AClampThatVariesByNothingIsTheEvenOne) {
   varying.p = {k, k};
   const auto model = fitter_->model_for({varying});
   const ModelState state = undamped_state(*fitter_, *model, {varying});
-  EXPECT_LT(difference(model->respond(state, s_, false).H, H), 1e-9);
+  // Each has a span of its own, which leaves out 1e-4 of amplitudes.
+  EXPECT_LT(difference(model->respond(state, s_, false).H, H), 1e-6);
   // A rigid translation beside the turn leaves the turn alone.
   EffectInstance both = clamp(k);
   both.where.variant = "both";

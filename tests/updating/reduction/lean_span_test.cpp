@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <tuple>
 #include <vector>
 
@@ -93,6 +94,94 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
       EXPECT_LT((lean - whole).norm(), 5e-4 * whole.norm()) << name << ' ' << p;
     }
   }
+}
+
+// Two effects at once, each anywhere in its range: the span was made from few
+// of these settings.
+TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereTwoThingsGiveWay) {
+  bundle_.uncertain = {{"property", 1, "t", 5.0}};
+  const BaseBuilder bases = builder();
+  Location patch;
+  patch.elements = {12, 13, 14, 22, 23, 24};
+  Location clamp;
+  clamp.nodes = {1, 12, 23, 34, 45};
+  clamp.variant = "both";
+  const int component = context_.component;
+  const std::vector<StiffnessChange> changes = {
+      {ChangeKind::Support, {"soft-support", clamp}, component},
+      {ChangeKind::Elements, {"stiffness-loss", patch}, component}};
+  const FrfModel wide = model(bases.build({}, changes, BaseUse::Scan));
+  const FrfModel narrow = model(bases.build({}, changes, BaseUse::Fit));
+  const std::vector<StiffnessTerm>& terms = narrow.base().terms;
+  ASSERT_EQ(terms.size(), 3u);
+  EXPECT_LT(narrow.base().size(), wide.base().size());
+  const auto part = [](const StiffnessTerm& term, double share) {
+    return term.lower * std::pow(term.upper / term.lower, share);
+  };
+  // Where the clamp is a hinge and next to nothing is left of the patch, the
+  // structure is another, and moves as some of what the lean base has dropped.
+  for (const auto& [turns, moves, left, least] :
+       {std::tuple{0.15, 0.5, 0.8, 5e-4},
+        std::tuple{0.3, 1.0, 0.1, 5e-4},
+        std::tuple{0.5, 0.15, 0.3, 5e-3},
+        std::tuple{0.0, 0.0, 0.0, 5e-3}}) {
+    ModelState state;
+    state.factor = {1.05};
+    state.effects = {
+        {&effects::find("soft-support"),
+         clamp,
+         {part(terms[0], turns), part(terms[1], moves)}},
+        {&effects::find("stiffness-loss"), patch, {part(terms[2], left)}}};
+    const Eigen::MatrixXcd whole = respond(wide, state);
+    const Eigen::MatrixXcd lean = respond(narrow, state);
+    EXPECT_LT((lean - whole).norm(), least * whole.norm()) << turns;
+  }
+}
+
+// The fit's slopes are those of what it fits, whatever the span.
+TEST_F(LeanSpan, ItsSlopesAreThoseOfTheWholeBase) {
+  const BaseBuilder bases = builder();
+  Location clamp;
+  clamp.nodes = {1, 12, 23, 34, 45};
+  clamp.variant = "rotation";
+  const StiffnessChange change{
+      ChangeKind::Support, {"soft-support", clamp}, context_.component};
+  const FrfModel wide = model(bases.build({}, {change}, BaseUse::Scan));
+  const FrfModel narrow = model(bases.build({}, {change}, BaseUse::Fit));
+  ModelState state;
+  state.factor = {1.0, 1.0, 1.0, 1.0};
+  state.effects = {{&effects::find("soft-support"),
+                    clamp,
+                    {narrow.base().terms.front().start}}};
+  const ModelResponse whole = wide.respond(state, s_, true);
+  const ModelResponse lean = narrow.respond(state, s_, true);
+  ASSERT_EQ(lean.dH.size(), whole.dH.size());
+  for (std::size_t j = 0; j < whole.dH.size(); ++j) {
+    // Tenths of a percent do not turn a step of a fit.
+    EXPECT_LT((lean.dH[j] - whole.dH[j]).norm(), 2e-3 * whole.dH[j].norm())
+        << j;
+  }
+}
+
+// One clamp after the other, and the first again: each gets its own.
+TEST_F(LeanSpan, BasesThatAreKeptAreThoseAskedFor) {
+  bundle_.uncertain.clear();
+  const BaseBuilder bases = builder();
+  const auto build = [&](const char* variant) {
+    Location clamp;
+    clamp.nodes = {1, 12, 23, 34, 45};
+    clamp.variant = variant;
+    return bases.build(
+        {},
+        {{ChangeKind::Support, {"soft-support", clamp}, context_.component}},
+        BaseUse::Fit);
+  };
+  const ReducedBase turns = build("rotation");
+  const ReducedBase moves = build("translation");
+  const ReducedBase again = build("rotation");
+  EXPECT_EQ(again.K, turns.K);
+  EXPECT_EQ(again.terms.front().of.where.variant, "rotation");
+  EXPECT_EQ(moves.terms.front().of.where.variant, "translation");
 }
 
 // Its size is what every evaluation of a fit costs, cubed.
