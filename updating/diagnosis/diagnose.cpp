@@ -140,7 +140,8 @@ Climbed climbed(const Fitter& fitter,
   for (int rung = 0; rung < options.max_rungs; ++rung) {
     const double next = done + 0.75 * (0.95 - done);
     const Progress part = part_of(progress, done, next);
-    if (!selection.step(rung == 0, numbered(part, "rung", rung + 1))) break;
+    const Progress named = numbered(part, "rung", rung + 1);
+    if (!selection.step(rung == 0, named) && !selection.settle()) break;
     done = next;
   }
   selection.settle();

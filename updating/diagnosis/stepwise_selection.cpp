@@ -32,24 +32,46 @@ std::vector<Candidate> candidates_of(const CandidateRanking& round,
 
 }  // namespace
 
-StepwiseSelection::Choice StepwiseSelection::choose(
-    const CandidateRanking& round, bool first, const Progress& progress) const {
+Worth StepwiseSelection::by_itself(const Hypothesis& it,
+                                   const Progress& progress) const {
   Worth worth;
-  worth.held_out = held_out_;
-  worth.gain = round.hypotheses[0].log_gain;
-  if (!first || !leaves_much(round.hypotheses.front().fit))
-    return {0, worth, {}};
-  // What it is worth shows on the next rung.
-  ForwardSelection::Pair pair = search_.best_pair(current_, round, progress);
-  worth.share = 1.0;
-  worth.gain = std::max(worth.gain, pair.gain);
-  return {pair.first, worth, std::move(pair.next)};
+  worth.gain = it.log_gain;
+  worth.held_out = stand_.held_out;
+  worth.with_it = fitter_->held_out_error(it.fit, held_out_folds, progress);
+  return worth;
+}
+
+StepwiseSelection::Choice StepwiseSelection::choose(
+    const CandidateRanking& round,
+    const Worth& leader,
+    bool first,
+    const Progress& progress) const {
+  Choice choice{0, leader, leader, {}};
+  if (!first || !leaves_much(round.hypotheses.front().fit)) return choice;
+  ForwardSelection::Pair pair = search_.best_pair(stand_.fit, round, progress);
+  const Hypothesis& added = round.hypotheses[pair.first];
+  if (pair.first != 0) choice.itself = by_itself(added, progress);
+  // What it is worth shows on the next rung. Of two that are right together
+  // either may leave more than the properties do that make up for both.
+  Worth together = choice.itself;
+  together.share = 1.0;
+  together.gain = std::max(leader.gain, pair.gain);
+  if (pair.next) {
+    const Fit& both = pair.next->hypotheses.front().fit;
+    together.with_it =
+        std::min(together.with_it,
+                 fitter_->held_out_error(both, held_out_folds, progress));
+  }
+  if (pair.first != 0 && !(together.earned() && is_told(added.fit))) {
+    return {0, leader, leader, {}};
+  }
+  return {pair.first, choice.itself, together, std::move(pair.next)};
 }
 
 bool StepwiseSelection::step(bool first, const Progress& progress) {
   // At the floor there is nothing to explain; on the first rung the candidates
   // are still worked out for show.
-  if (!first && is_explained(current_.result.error, floor())) return false;
+  if (!first && is_explained(stand_.fit.result.error, floor())) return false;
   using Depth = ForwardSelection::Depth;
   if (try_to_add(first,
                  first ? Depth::Thorough : Depth::Quick,
@@ -59,19 +81,19 @@ bool StepwiseSelection::step(bool first, const Progress& progress) {
   // What the screening passes over is looked at before much is left
   // unexplained. What changes with the force or from run to run is no linear
   // effect's.
-  const double left = current_.result.error;
+  const double left = stand_.fit.result.error;
   if (!is_left_unexplained()) return false;
   if (follows_the_force(fitter_->problem().measured.level, left)) return false;
-  const auto drift = run_drift(current_, fitter_->target());
+  const auto drift = run_drift(stand_.fit, fitter_->target());
   if (drift && is_significant(*drift)) return false;
   return try_to_add(first, Depth::LastResort, part_of(progress, 0.9, 1.0));
 }
 
-void StepwiseSelection::settle() {
-  if (!before_pair_) return;
-  current_ = std::move(before_pair_->fit);
-  held_out_ = before_pair_->held_out;
-  chosen_.clear();
+bool StepwiseSelection::settle() {
+  if (!without_second_) return false;
+  stand_ = *std::exchange(without_second_, std::nullopt);
+  next_.reset();
+  return !stand_.chosen.empty();
 }
 
 bool StepwiseSelection::try_to_add(bool first,
@@ -81,47 +103,44 @@ bool StepwiseSelection::try_to_add(bool first,
   CandidateRanking round =
       next_ && quick
           ? *std::exchange(next_, std::nullopt)
-          : search_.look(current_, depth, part_of(progress, 0.0, 0.75));
+          : search_.look(stand_.fit, depth, part_of(progress, 0.0, 0.75));
   if (quick) {
-    round = search_.with_forms(std::move(round), current_, progress);
+    round = search_.with_forms(std::move(round), stand_.fit, progress);
   }
   const Progress rest = part_of(progress, 0.75, 1.0);
   if (first) candidates_ = candidates_of(round, fitter_->problem().context);
   if (round.hypotheses.empty()) return false;
-  passed_over_ = strongest_of(round, 0);
-  if (is_explained(current_.result.error, floor())) return false;
-  auto [best, worth, next] = choose(round, first, rest);
+  stand_.passed_over = strongest_of(round, 0);
+  if (is_explained(stand_.fit.result.error, floor())) return false;
+  const Fit& leads = round.hypotheses.front().fit;
+  const Worth leader = by_itself(round.hypotheses.front(), rest);
+  if (first) candidates_.front().held_out_error = leader.with_it;
+  auto [best, itself, together, next] = choose(round, leader, first, rest);
   const Hypothesis& added = round.hypotheses[best];
-  worth.with_it = fitter_->held_out_error(added.fit, held_out_folds, rest);
-  if (first && best == 0) candidates_.front().held_out_error = worth.with_it;
-  // Of two that are right together either may leave more than the properties do
-  // that make up for both.
-  Worth together = worth;
-  if (next) {
-    const Fit& both = next->hypotheses.front().fit;
-    together.with_it = std::min(
-        worth.with_it, fitter_->held_out_error(both, held_out_folds, rest));
-  }
   if (!together.earned() || !is_told(added.fit)) return false;
-  worth.gain = added.log_gain;
-  worth.share = worth_it;
-  before_pair_.reset();  // a second followed
-  if (!worth.earned()) before_pair_ = {current_, held_out_};
-  passed_over_.clear();
-  chosen_.push_back(search_.as_selected(round, best));
-  if (best != 0) {
-    chosen_.back().name = added.own().effect->name();
-    chosen_.back().alike.clear();
+  without_second_.reset();  // of one before: a second followed
+  if (best != 0 && leader.earned() && is_told(leads)) {
+    without_second_ = {leads, leader.with_it, {search_.as_selected(round, 0)}};
+  } else if (!itself.earned()) {
+    without_second_ = stand_;
   }
-  current_ = added.fit;
+  stand_.passed_over.clear();
+  stand_.chosen.push_back(search_.as_selected(round, best));
+  if (best != 0) {
+    stand_.chosen.back().name = added.own().effect->name();
+    stand_.chosen.back().alike.clear();
+  }
+  stand_.fit = added.fit;
   next_ = std::move(next);
   if (!first) {
-    current_ = search_.unite(std::move(current_), already_, chosen_, rest);
-    current_ = search_.relocate(std::move(current_), already_, chosen_, rest);
-    current_ =
-        search_.prune(std::move(current_), already_, round.data, chosen_, rest);
+    stand_.fit =
+        search_.unite(std::move(stand_.fit), already_, stand_.chosen, rest);
+    stand_.fit =
+        search_.relocate(std::move(stand_.fit), already_, stand_.chosen, rest);
+    stand_.fit = search_.prune(
+        std::move(stand_.fit), already_, round.data, stand_.chosen, rest);
   }
-  held_out_ = fitter_->held_out_error(current_, held_out_folds, rest);
+  stand_.held_out = fitter_->held_out_error(stand_.fit, held_out_folds, rest);
   return true;
 }
 

@@ -25,29 +25,33 @@ class StepwiseSelection {
         options_(options),
         search_(fitter, options),
         already_(present.size()),
-        current_(fitter.fit(present, fitter.model_for(present), progress)),
-        base_error_(current_.result.error),
-        held_out_(fitter.held_out_error(current_, held_out_folds, progress)) {}
+        stand_{fitter.fit(present, fitter.model_for(present), progress)},
+        base_error_(current().result.error) {
+    stand_.held_out =
+        fitter.held_out_error(current(), held_out_folds, progress);
+  }
 
   /// Adds the best effect that earns its place; false where none does.
   bool step(bool first, const Progress& progress);
-  /// Takes back a first effect that was added for what it is worth beside
-  /// another, where no other followed.
-  void settle();
+  /// Where a first effect was added for what it is worth beside another, and no
+  /// other followed: what led by itself takes its place, or nothing does.
+  ///
+  /// @return whether there is one now that others may follow
+  bool settle();
 
-  [[nodiscard]] const Fit& current() const { return current_; }
-  [[nodiscard]] double held_out_error() const { return held_out_; }
+  [[nodiscard]] const Fit& current() const { return stand_.fit; }
+  [[nodiscard]] double held_out_error() const { return stand_.held_out; }
   /// @param likeliest what is in the model, with the parameters to be told
   [[nodiscard]] std::vector<Rung> ladder(const Fit& likeliest,
                                          const Progress& progress) const {
-    return ladder_of(likeliest, chosen_, already_, *fitter_, progress);
+    return ladder_of(likeliest, chosen(), already_, *fitter_, progress);
   }
   [[nodiscard]] const std::vector<SelectedEffect>& chosen() const {
-    return chosen_;
+    return stand_.chosen;
   }
   /// The strongest that did not earn their place on top.
   [[nodiscard]] const std::vector<MadeFit>& passed_over() const {
-    return passed_over_;
+    return stand_.passed_over;
   }
   /// Everything tried on the first step.
   [[nodiscard]] std::vector<Candidate> candidates() const {
@@ -60,25 +64,32 @@ class StepwiseSelection {
                   const Progress& progress);
   // Where a selection stands.
   struct Stand {
-    Fit fit;
-    double held_out = 0.0;
+    Fit fit = {};
+    double held_out = 0.0;  // error of the fit on left-out runs
+    std::vector<SelectedEffect> chosen = {};
+    std::vector<MadeFit> passed_over = {};
   };
 
   // Which of the round to add, what it must be worth, and what comes after it
   // where that was looked at.
   struct Choice {
     std::size_t best = 0;
-    Worth worth;
+    Worth itself;
+    Worth together;  // with what comes after it
     std::optional<CandidateRanking> next;
   };
+  // @param leader what the first of the round is worth by itself
   [[nodiscard]] Choice choose(const CandidateRanking& round,
+                              const Worth& leader,
                               bool first,
                               const Progress& progress) const;
+  [[nodiscard]] Worth by_itself(const Hypothesis& it,
+                                const Progress& progress) const;
   [[nodiscard]] FormShare form_of(const Fit& fit) const {
     return form_share(fit, fitter_->target(), options_.floor_noise);
   }
   [[nodiscard]] Floor floor() const {
-    return floor_of(current_, fitter_->target(), options_);
+    return floor_of(current(), fitter_->target(), options_);
   }
   // More than noise, mesh and form explain.
   [[nodiscard]] bool leaves_much(const Fit& fit) const {
@@ -86,25 +97,22 @@ class StepwiseSelection {
   }
   // Where the verdict would have to say so.
   [[nodiscard]] bool is_left_unexplained() const {
-    const double floor = std::hypot(options_.floor, form_of(current_).error);
-    return leaves_much(current_) &&
+    const double floor = std::hypot(options_.floor, form_of(current()).error);
+    return leaves_much(current()) &&
            is_unexplained(
-               current_.result.error, floor, base_error_, !chosen_.empty());
+               current().result.error, floor, base_error_, !chosen().empty());
   }
 
   const Fitter* fitter_;
   DiagnoseOptions options_;
   ForwardSelection search_;
   std::size_t already_;
-  Fit current_;
+  Stand stand_;
   double base_error_;
-  double held_out_;
-  std::optional<Stand> before_pair_;
+  std::optional<Stand> without_second_;  // where none follows
   std::optional<CandidateRanking>
       next_;  // a quick look from where the selection stands
-  std::vector<SelectedEffect> chosen_;
   std::vector<Candidate> candidates_;
-  std::vector<MadeFit> passed_over_;
 };
 
 }  // namespace tapfit::updating
