@@ -1,5 +1,7 @@
 #include "signal/files/finite_lines.hpp"
 
+#include "signal/frf_set/kept_lines.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -60,12 +62,7 @@ std::string drop_bad_lines(FrfSet& set) {
   }
   if (dropped.empty()) return {};
   std::string said = dropped_statement(set, dropped);
-  set.s = set.s(keep).eval();
-  for (Frf& frf : set.frfs) {
-    frf.H = frf.H(keep).eval();
-    frf.coherence = frf.coherence(keep).eval();
-    frf.variance = frf.variance(keep).eval();
-  }
+  keep_lines(keep, set);
   return said;
 }
 

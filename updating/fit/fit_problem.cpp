@@ -1,6 +1,7 @@
 #include "updating/fit/fit_problem.hpp"
 
 #include "acquisition/samples/statistics.hpp"
+#include "signal/frf_set/kept_lines.hpp"
 #include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/damped_line.hpp"
 #include "updating/measurement/place_points.hpp"
@@ -188,11 +189,15 @@ FitProblem fit_problem(const MeasuredTest& test,
     const Eigen::VectorXcd s = damped_line(band, block_s, options);
     progress("comparison: damped lines", 0.0);
     fit.measured = test.measurement.frfs_on(s, progress);
+    const std::string noisy = signal::leave_out_noisy_lines(fit.measured);
+    if (!noisy.empty()) fit.measured.statements.push_back(noisy);
     fit.targets.push_back(make_target(fit.measured));
     leave_out(foreign, fit.targets.back());
     fit.targets.back().modes_in_band =
         std::max(1, static_cast<int>(test.modes.modes.size()));
-    fit.contour = describe_line(band, s, options);
+    if (!noisy.empty()) fit.context.low_hz = fit.measured.frequency_hz()(0);
+    fit.contour =
+        describe_line({fit.context.low_hz, band[1]}, fit.measured.s, options);
   }
   return fit;
 }

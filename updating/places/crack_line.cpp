@@ -45,9 +45,9 @@ std::map<int, Faced> faces_of(const Deck& deck, const std::vector<int>& side) {
 CrackLine crack_line(const Deck& deck, const std::vector<int>& nodes) {
   CrackLine crack;
   if (nodes.size() < 2) return crack;
-  const Edges edges = edges_of(deck);
-  const Net net = net_of(edges);
   const Ray ray = ray_of(deck, nodes);
+  const Edges edges = edges_at(deck, ray);
+  const Net net = net_of(edges);
   const std::set<Edge> line = edges_on(deck, edges, ray);
   std::map<int, int> beside;
   std::map<int, double> length;

@@ -98,7 +98,7 @@ std::vector<JointPlace> joint_places(const Deck& deck) {
 
 JointLine shell_joint(const Deck& deck, const std::vector<int>& nodes) {
   const Ray ray = ray_of(deck, nodes);
-  const Edges edges = edges_of(deck);
+  const Edges edges = edges_at(deck, ray);
   const std::set<Edge> line = edges_on(deck, edges, ray);
   std::set<int> grids;
   std::map<int, double> length;

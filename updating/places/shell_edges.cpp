@@ -38,6 +38,23 @@ Edges edges_of(const Deck& deck) {
   return edges;
 }
 
+Edges edges_at(const Deck& deck, const Ray& ray) {
+  Edges edges;
+  std::vector<bool> on;
+  for (std::size_t e = 0; e < deck.shells.size(); ++e) {
+    const std::vector<int>& grids = deck.shells[e].grids;
+    on.clear();
+    for (const int grid : grids) {
+      on.push_back(on_ray(ray, deck.grid(grid).position));
+    }
+    for (std::size_t k = 0; k < grids.size(); ++k) {
+      const std::size_t next = (k + 1) % grids.size();
+      if (on[k] || on[next]) edges[edge_of(grids[k], grids[next])].push_back(e);
+    }
+  }
+  return edges;
+}
+
 Net net_of(const Edges& edges) {
   Net net;
   for (const auto& [edge, shells] : edges) {

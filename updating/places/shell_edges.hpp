@@ -31,6 +31,21 @@ using Edges = std::map<Edge, std::vector<std::size_t>>;
 
 [[nodiscard]] Edges edges_of(const structure::Deck& deck);
 
+/// Line through grids, as a point and a direction.
+struct Ray {
+  Eigen::Vector3d from;
+  Eigen::Vector3d along;
+  double length = 0.0;
+};
+
+[[nodiscard]] Ray ray_of(const structure::Deck& deck,
+                         const std::vector<int>& nodes);
+
+[[nodiscard]] bool on_ray(const Ray& ray, const Eigen::Vector3d& x);
+
+/// Edges with a grid on the line.
+[[nodiscard]] Edges edges_at(const structure::Deck& deck, const Ray& ray);
+
 /// Neighbours along edges between two shells, and grids on a free edge.
 struct Net {
   std::map<int, std::vector<int>> inner;
@@ -47,19 +62,8 @@ struct Net {
                               int from,
                               const Eigen::Vector3d& along);
 
-/// Line through grids, as a point and a direction.
-struct Ray {
-  Eigen::Vector3d from;
-  Eigen::Vector3d along;
-  double length = 0.0;
-};
-
-[[nodiscard]] Ray ray_of(const structure::Deck& deck,
-                         const std::vector<int>& nodes);
-
-[[nodiscard]] bool on_ray(const Ray& ray, const Eigen::Vector3d& x);
-
 /// Edges between two shells on the line through the grids.
+/// @param edges with a grid on it, or more
 [[nodiscard]] std::set<Edge> edges_on(const structure::Deck& deck,
                                       const Edges& edges,
                                       const Ray& ray);
@@ -67,6 +71,7 @@ struct Ray {
 /// Shells on one side of a line: those reached from one another without
 /// crossing it, one component of the two for every piece of the line.
 ///
+/// @param edges with a grid on it, or more
 /// @param nodes of the line, around which one shell leads to the next
 /// @return ids
 [[nodiscard]] std::vector<int> one_side(const structure::Deck& deck,
