@@ -61,6 +61,26 @@ Section section_of(const Deck& deck,
           shell.offset * normal};
 }
 
+// Sides of shells between two held grids, with half of each as a section.
+template <class Take>
+void for_each_edge(const Deck& deck, const std::set<int>& held, Take take) {
+  for (const structure::Shell& shell : deck.shells) {
+    const std::size_t n = shell.grids.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const int a = shell.grids[k];
+      const int b = shell.grids[(k + 1) % n];
+      if (!held.contains(a) || !held.contains(b)) continue;
+      const Vector3d along = deck.grid(b).position - deck.grid(a).position;
+      take(a, b, along, section_of(deck, shell, 0.5 * along.norm()));
+    }
+  }
+}
+
+bool holds_all_of(const std::set<int>& held, const structure::Shell& shell) {
+  return std::ranges::all_of(shell.grids,
+                             [&held](int id) { return held.contains(id); });
+}
+
 }  // namespace
 
 std::map<int, GridMatrix> support_face(const Deck& deck,
@@ -80,22 +100,27 @@ std::map<int, GridMatrix> support_face(const Deck& deck,
     add(bar.grids[end], section_of(deck, bar, end));
   }
   for (const structure::Shell& shell : deck.shells) {
-    const std::size_t n = shell.grids.size();
-    const auto count = std::ranges::count_if(
-        shell.grids, [&held](int id) { return held.contains(id); });
-    if (static_cast<std::size_t>(count) == n) return {};
-    for (std::size_t k = 0; k < n; ++k) {
-      const int a = shell.grids[k];
-      const int b = shell.grids[(k + 1) % n];
-      if (!held.contains(a) || !held.contains(b)) continue;
-      const double length =
-          (deck.grid(a).position - deck.grid(b).position).norm();
-      const Section section = section_of(deck, shell, 0.5 * length);
-      add(a, section);
-      add(b, section);
-    }
+    if (holds_all_of(held, shell)) return {};
   }
+  for_each_edge(
+      deck, held, [&](int a, int b, const Vector3d&, const Section& section) {
+        add(a, section);
+        add(b, section);
+      });
   return face;
+}
+
+double edges_turn(const Deck& deck, const std::vector<int>& nodes) {
+  double turn = 0.0;
+  for_each_edge(
+      deck,
+      {nodes.begin(), nodes.end()},
+      [&turn](int, int, const Vector3d& along, const Section& section) {
+        const Vector3d d = along.normalized();
+        const Matrix3d S = bed_under(section).bottomRightCorner<3, 3>();
+        turn += 2.0 * d.dot(S * d);
+      });
+  return turn;
 }
 
 }  // namespace tapfit::updating

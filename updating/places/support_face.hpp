@@ -28,4 +28,12 @@ using GridMatrix = Eigen::Matrix<double, 6, 6>;
 [[nodiscard]] std::map<int, GridMatrix> support_face(
     const structure::Deck& deck, const std::vector<int>& nodes);
 
+/// What the same bed under shells holds against turning of each edge about
+/// itself, over k; for an edge of length L and thickness t: L t^3 / 12.
+///
+/// @param nodes held grids
+/// @return [m^4]; 0 where no edge of a shell lies there
+[[nodiscard]] double edges_turn(const structure::Deck& deck,
+                                const std::vector<int>& nodes);
+
 }  // namespace tapfit::updating

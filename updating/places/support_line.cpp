@@ -89,50 +89,114 @@ std::vector<std::vector<int>> separate_supports(const Deck& deck,
   return supports;
 }
 
-// Of grids on one line, or on none.
+// The held edges that grids lie on, half of each at either end.
+struct HalfEdge {
+  int node = 0;
+  double length = 0.0;  // [m]
+  int axis = -1;        // 0..2 that it runs along, or -1
+};
+
+std::vector<HalfEdge> half_edges(const Deck& deck,
+                                 const std::vector<int>& nodes) {
+  const std::map<int, std::set<int>> near = joined_grids(deck);
+  const std::set<int> held(nodes.begin(), nodes.end());
+  std::vector<HalfEdge> halves;
+  for (const int node : held) {
+    const auto it = near.find(node);
+    if (it == near.end()) return {};
+    bool joined = false;
+    for (const int next : it->second) {
+      if (!held.contains(next)) continue;
+      joined = true;
+      const double length =
+          (deck.grid(next).position - deck.grid(node).position).norm();
+      halves.push_back({node, 0.5 * length, line_axis(deck, {node, next})});
+    }
+    if (!joined) return {};
+  }
+  return halves;
+}
+
+// Along held edges that are bent, or closed: each turns about itself, where all
+// run along axes.
+SupportLine bent_line(const std::vector<HalfEdge>& halves,
+                      const ConstraintAxes& held,
+                      bool rotation) {
+  SupportLine line;
+  const bool along_axes = std::ranges::all_of(
+      halves, [](const HalfEdge& half) { return half.axis >= 0; });
+  std::map<std::pair<int, int>, double> lengths;  // of a grid and component
+  for (const HalfEdge& half : halves) {
+    line.length += half.length;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (rotation && along_axes && axis != half.axis) continue;
+      lengths[{half.node, (rotation ? 4 : 1) + axis}] += half.length;
+    }
+  }
+  for (const auto& [dof, length] : lengths) {
+    const auto& [node, component] = dof;
+    if (holds(held, node, component)) {
+      line.dofs.push_back({node, component, length});
+    }
+  }
+  return line;
+}
+
+// Along one line.
+SupportLine straight_line(const Deck& deck,
+                          const ConstraintAxes& held,
+                          std::vector<int> order,
+                          int axis,
+                          bool rotation) {
+  SupportLine line;
+  line.straight = true;
+  const auto along = [&deck, axis](int node) {
+    return deck.grid(node).position(axis);
+  };
+  std::sort(order.begin(), order.end(), [&along](int a, int b) {
+    return along(a) < along(b);
+  });
+  std::vector<double> x(order.size());
+  std::transform(order.begin(), order.end(), x.begin(), along);
+  const std::map<int, std::set<int>> near = joined_grids(deck);
+  std::vector<bool> connected;
+  for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+    const auto it = near.find(order[k]);
+    connected.push_back(it != near.end() && it->second.contains(order[k + 1]));
+  }
+  const std::vector<double> lengths = tributary_lengths(x, connected);
+  line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  const std::vector<int> components =
+      rotation ? std::vector<int>{4 + axis} : std::vector<int>{1, 2, 3};
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const double at = (x[k] - x.front()) / (x.back() - x.front());
+    for (const int c : components) {
+      if (holds(held, order[k], c)) {
+        line.dofs.push_back({order[k], c, lengths[k], at});
+      }
+    }
+  }
+  return line;
+}
+
+// Of grids on one line, along edges, or apart.
 SupportLine single_line(const Deck& deck,
                         const std::vector<int>& nodes,
                         bool rotation) {
-  SupportLine line;
   const ConstraintAxes held = structure::constraint_axes(deck);
-  const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
-  std::vector<int> order = nodes;
-  std::vector<double> lengths(nodes.size(),
-                              1.0 / static_cast<double>(nodes.size()));
-  std::vector<double> at(nodes.size(), 0.0);
-  line.straight = axis >= 0;
-  if (line.straight) {
-    const auto along = [&deck, axis](int node) {
-      return deck.grid(node).position(axis);
-    };
-    std::sort(order.begin(), order.end(), [&along](int a, int b) {
-      return along(a) < along(b);
-    });
-    std::vector<double> x(order.size());
-    std::transform(order.begin(), order.end(), x.begin(), along);
-    const std::map<int, std::set<int>> near = joined_grids(deck);
-    std::vector<bool> connected;
-    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
-      const auto it = near.find(order[k]);
-      connected.push_back(it != near.end() &&
-                          it->second.contains(order[k + 1]));
-    }
-    lengths = tributary_lengths(x, connected);
-    std::transform(x.begin(), x.end(), at.begin(), [&x](double here) {
-      return (here - x.front()) / (x.back() - x.front());
-    });
+  if (const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
+      axis >= 0) {
+    return straight_line(deck, held, nodes, axis, rotation);
   }
-  line.length = std::accumulate(lengths.begin(), lengths.end(), 0.0);
-  std::vector<int> components = {1, 2, 3};
-  if (rotation) {
-    components =
-        axis >= 0 ? std::vector<int>{4 + axis} : std::vector<int>{4, 5, 6};
+  if (const auto halves = half_edges(deck, nodes); !halves.empty()) {
+    return bent_line(halves, held, rotation);
   }
-  for (std::size_t k = 0; k < order.size(); ++k) {
-    for (const int c : components) {
-      if (holds(held, order[k], c)) {
-        line.dofs.push_back({order[k], c, lengths[k], at[k]});
-      }
+  SupportLine line;
+  line.length = 1.0;
+  for (const int node : nodes) {
+    for (int c = rotation ? 4 : 1; c <= (rotation ? 6 : 3); ++c) {
+      if (!holds(held, node, c)) continue;
+      line.dofs.push_back({node, c, 1.0 / static_cast<double>(nodes.size())});
     }
   }
   return line;
@@ -229,7 +293,7 @@ std::vector<SupportPart> freed_part(const Deck& deck,
   return {part};
 }
 
-// About the line of a support, else where it is least.
+// Of sections apart where it is least.
 double turn_of(const std::vector<SupportDof>& face, const SupportLine& turns) {
   std::map<int, double> sums;
   for (const SupportDof& turn : turns.dofs) sums[turn.component] = 0.0;
@@ -265,7 +329,8 @@ std::vector<SupportPart> face_part(const Deck& deck,
       }
     }
   }
-  part.turn = turn_of(face, part.line);
+  part.turn = edges_turn(deck, nodes);
+  if (part.turn <= 0.0) part.turn = turn_of(face, part.line);
   part.line.dofs = std::move(face);
   if (part.turn <= 0.0) return {};
   return {part};

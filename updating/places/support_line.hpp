@@ -15,7 +15,7 @@ namespace tapfit::updating {
 struct SupportDof {
   int node = 0;
   int component = 0;      ///< 1..6, along basic axes
-  double length = 0.0;    ///< [m]; 1 / number of grids where there is no line
+  double length = 0.0;    ///< [m]; 1 / number of grids where they are apart
   double at = 0.0;        ///< 0 to 1 along the line; 0 where there is none
   bool own_axes = false;  ///< component along the grid's own (turned) axes
   int with = 0;           ///< component of the grid that it is coupled with
@@ -23,14 +23,15 @@ struct SupportDof {
 
 struct SupportLine {
   std::vector<SupportDof> dofs;
-  double length = 0.0;    ///< total [m]; 1 where the grids lie on no line
+  double length = 0.0;    ///< total [m]; 1 for each place of grids apart
   bool straight = false;  ///< whether there is a line
 };
 
-/// The degrees of freedom that a soft support releases: for grids along a
-/// line parallel to an axis the rotation about that line, otherwise all three
-/// rotations; for translations all three. The feet of a frame, and
-/// edges that lie on no line together, are each taken by themselves.
+/// The degrees of freedom that a soft support releases: for grids along a line
+/// parallel to an axis, and along held edges that are all parallel to axes, the
+/// rotation about these, otherwise all three rotations; for translations all
+/// three. The feet of a frame, and edges that are not joined and lie on no line
+/// together, are each taken by themselves.
 ///
 /// @param nodes constrained grids of the deck, in any order
 /// @param rotation true: rotations, false: translations
@@ -51,7 +52,7 @@ struct SupportPart {
   SupportLine line;  ///< lengths times this stiffness' share in each; of a
                      ///< face [m^2, m^3, m^4] of one per area
   double turn =
-      0.0;  ///< of a face about its line, else where it is least [m^4]
+      0.0;  ///< of a face about its edges, else where it is least [m^4]
 };
 
 /// The stiffnesses of a soft support: "rotation" and "translation" have one

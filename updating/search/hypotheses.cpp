@@ -330,7 +330,7 @@ std::vector<Hypothesis> fit_hypotheses(const Fit& current,
   if (options.neighbours > 0) {
     const Progress rest = part_of(progress, 0.7, 1.0);
     climb_rivals(kinds, current, fitter, options, reach, rest);
-    if (least_error(kinds) > options.explained) {
+    if (current.result.error > options.explained) {
       try_forms(kinds, current, fitter, options, reach, rest);
     }
   }

@@ -16,7 +16,8 @@ struct HypothesisOptions {
   int neighbours = 8;
   /// Only places whose screened error is within this factor of the least.
   double promising = 1e300;
-  /// An error that leaves nothing for another form of an effect to explain.
+  /// An error that leaves nothing to explain: what is there for show needs no
+  /// other forms.
   double explained = 0.0;
   int joints = 0;  ///< of the screened places, where more than places_per_kind
   /// One of them that is fitted already, as its last effect: others are looked

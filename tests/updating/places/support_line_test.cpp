@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace tapfit::updating {
 namespace {
@@ -48,6 +49,32 @@ TEST(SupportLine, WhatIsFreedIsAllThatIsHeldSo) {
   structure::Deck pinned = support::plate_deck(false);
   pinned.constraints.push_back({1, "3"});
   EXPECT_TRUE(support_parts(pinned, {1}, "free-X").empty());
+}
+
+// Clamped along x = 0 and along y = 0.
+TEST(SupportLine, EdgesAroundACornerTurnEachAboutItself) {
+  const std::vector<int> nodes = {
+      1, 12, 23, 34, 45, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  const structure::Deck deck = held_at(nodes);
+  const SupportLine line = support_line(deck, nodes, true);
+  EXPECT_NEAR(line.length, 0.42, 1e-12);
+  EXPECT_FALSE(line.straight);
+  EXPECT_EQ(line.dofs.size(), 16U);
+  double about[2] = {0.0, 0.0};
+  for (const SupportDof& dof : line.dofs) {
+    ASSERT_TRUE(dof.component == 4 || dof.component == 5);
+    about[dof.component - 4] += dof.length;
+  }
+  EXPECT_NEAR(about[0], 0.30, 1e-12);
+  EXPECT_NEAR(about[1], 0.12, 1e-12);
+  const SupportLine shifts = support_line(deck, nodes, false);
+  EXPECT_EQ(shifts.dofs.size(), 45U);
+  EXPECT_NEAR(length_at(shifts, 1), 0.03, 1e-12);  // half of either edge
+  EXPECT_NEAR(length_at(shifts, 11), 0.015, 1e-12);
+  const std::vector<SupportPart> face = support_parts(deck, nodes, "face");
+  ASSERT_EQ(face.size(), 1U);
+  EXPECT_NEAR(face.front().line.length, 0.42, 1e-12);
+  EXPECT_NEAR(face.front().turn, 0.42 * std::pow(0.003, 3) / 12.0, 1e-18);
 }
 
 // Two clamps of 0.03 m with nothing held between them.
