@@ -16,8 +16,9 @@ using Eigen::VectorXd;
 
 namespace {
 
-// What is known of the parameters before, as rows of a residual. Against FRFs
-// it is nothing; of a few modes what readjusts would explain whatever is there.
+// What is known of the parameters before, as rows of a residual. Else what
+// readjusts would explain whatever is there, corrections beyond all that a deck
+// is off by among it.
 struct PriorRows {
   VectorXd r;
   MatrixXd J;
@@ -28,7 +29,7 @@ PriorRows prior_rows(const Fit& current,
                      double residual,
                      Index parameters) {
   const Prior& prior = current.result.prior;
-  if (!target.is_modal() || prior.sd.size() != parameters) {
+  if (prior.sd.size() != parameters) {
     return {VectorXd(0), MatrixXd(0, parameters)};
   }
   const double unit = residual / std::sqrt(effective_data(target));
