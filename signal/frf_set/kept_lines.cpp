@@ -36,7 +36,7 @@ void keep_lines(const std::vector<Index>& keep, FrfSet& set) {
 }
 
 std::string leave_out_noisy_lines(FrfSet& set) {
-  constexpr double clear = 0.1;
+  constexpr double of_models = 0.01;
   const Eigen::ArrayXd noise = noise_of(set);
   std::vector<Index> order(static_cast<std::size_t>(set.lines()));
   std::iota(order.begin(), order.end(), Index{0});
@@ -44,12 +44,11 @@ std::string leave_out_noisy_lines(FrfSet& set) {
   double sum = 0.0;
   std::size_t kept = 0;
   for (; kept < order.size(); ++kept) {
-    const double own = noise(order[kept]);
-    const bool stands_out = own * static_cast<double>(kept) > 2.0 * sum;
-    if (own > clear * clear && stands_out) break;
+    const double own = noise(order[kept]) + of_models;
+    if (own * static_cast<double>(kept) > 2.0 * sum) break;
     sum += own;
   }
-  if (kept == order.size()) return {};
+  if (kept == order.size() || 2 * kept < order.size()) return {};
   const auto noisy = order.begin() + static_cast<std::ptrdiff_t>(kept);
   std::sort(order.begin(), noisy);
   std::sort(noisy, order.end());

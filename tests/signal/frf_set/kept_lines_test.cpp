@@ -53,10 +53,24 @@ TEST(KeptLines, NoiseThatIsTheSameEverywhereLeavesAll) {
   FrfSet set = stiff_structure(0.0);
   for (Frf& frf : set.frfs) frf.variance = 0.04 * frf.H.cwiseAbs2();
   EXPECT_EQ(leave_out_noisy_lines(set), "");
-  // A line that is 1.5 times as noisy as the others stands out: 2.25 > 2.
-  for (Frf& frf : set.frfs) frf.variance(4) *= 2.25;
+  // q^2 + 0.01 is 0.05: one of more than twice as much stands out.
+  for (Frf& frf : set.frfs) frf.variance(4) *= 2.2;
+  EXPECT_EQ(leave_out_noisy_lines(set), "");
+  for (Frf& frf : set.frfs) frf.variance(4) *= 2.3 / 2.2;
   EXPECT_EQ(leave_out_noisy_lines(set).substr(0, 34),
             "1 of 10 lines (50 Hz) is left out ");
+}
+
+TEST(KeptLines, WhereMostAreNoisyAllStay) {
+  FrfSet set = stiff_structure(0.0);
+  for (Frf& frf : set.frfs) {
+    frf.variance.tail(5) = 0.1 * frf.H.tail(5).cwiseAbs2();
+  }
+  FrfSet more = set;
+  EXPECT_EQ(leave_out_noisy_lines(set).substr(0, 16), "5 of 10 lines (6");
+  for (Frf& frf : more.frfs) frf.variance(4) = 0.1 * std::norm(frf.H(4));
+  EXPECT_EQ(leave_out_noisy_lines(more), "");
+  EXPECT_EQ(more.lines(), 10);
 }
 
 TEST(KeptLines, OneHitTellsNothing) {
