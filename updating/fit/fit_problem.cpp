@@ -195,7 +195,8 @@ FitProblem fit_problem(const MeasuredTest& test,
     leave_out(foreign, fit.targets.back());
     fit.targets.back().modes_in_band =
         std::max(1, static_cast<int>(test.modes.modes.size()));
-    if (!noisy.empty()) fit.context.low_hz = fit.measured.frequency_hz()(0);
+    fit.context.low_hz =
+        noisy.empty() ? band[0] : fit.measured.frequency_hz()(0);
     fit.contour =
         describe_line({fit.context.low_hz, band[1]}, fit.measured.s, options);
   }
