@@ -2,8 +2,8 @@
 _tapfit() {
   local current=${COMP_WORDS[COMP_CWORD]}
   local commands="run hits frf check calibrate replay modes mac model uff
-    compare diagnose signature update predict session report export import paper
-    tour doctor simulate challenge reveal score"
+    compare diagnose signature update predict together session report export import
+    paper tour doctor simulate challenge reveal score"
   local command= word
   for word in "${COMP_WORDS[@]:1:COMP_CWORD-1}"; do
     case " ${commands//$'\n'/ } " in

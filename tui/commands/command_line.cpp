@@ -78,6 +78,7 @@ void add_command(CLI::App& app,
     command->add_option(entry.input, options.input)->required();
     add_inside(*command, options);
   }
+  if (has(Several)) add_together_options(*command, options);
   if (!has(TextOnly)) add_formats(*command, entry, options);
   if (has(Uff)) {
     command->add_option("--uff", options.uff, "Universal file to write");

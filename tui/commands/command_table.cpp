@@ -2,6 +2,7 @@
 
 #include "tui/commands/commands.hpp"
 #include "tui/practice/reveal_command.hpp"
+#include "tui/together/together_command.hpp"
 
 #include <array>
 
@@ -10,7 +11,7 @@ namespace {
 
 using enum CommandEntry::Option;
 
-constexpr std::array<CommandEntry, 20> entries{{
+constexpr std::array<CommandEntry, 21> entries{{
     {"run",
      "The whole chain, recording to error ladder",
      run_command,
@@ -84,6 +85,12 @@ constexpr std::array<CommandEntry, 20> entries{{
      predict_command,
      Uff | Forecast | ByHand | Pairs,
      "modes"},
+    {"together",
+     "Fit several tests at once: what they share, and whether they agree",
+     together_command,
+     Effects | Several,
+     "shared",
+     nullptr},
     {"session", "Re-run a saved session", session_command, SavedFile | Output},
     {"report",
      "A report of the finished work, HTML or Markdown",

@@ -32,6 +32,7 @@ struct CommandEntry {
     BodyMass = 131072,
     Robustness = 262144,
     Forecast = 524288,
+    Several = 1048576,
   };
 
   const char* name;

@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
@@ -63,6 +64,16 @@ struct PredictArguments {
   double repeatability_percent = 0.0;
 };
 
+/// What `tapfit together` is told; its --effect are CommandOptions::effects.
+struct TogetherArguments {
+  std::vector<std::filesystem::path> bundles;
+  std::vector<std::string> shared;  ///< effects of one size in all tests
+  /// "2", "added-mass@201", ...: the number of a test, its effect.
+  std::vector<std::pair<int, std::string>> single;
+  std::vector<std::string> own;  ///< "E:1": properties that are each test's own
+  bool structures = false;       ///< the tests are of several structures
+};
+
 /// What a command is told of decisions made by hand.
 struct HandChoices {
   bool session = false;            ///< start from those that are kept
@@ -103,6 +114,7 @@ struct CommandOptions {
   HandChoices by_hand;
   std::optional<std::filesystem::path> other;  ///< second set of modes
   PredictArguments prediction;
+  TogetherArguments together;
 };
 
 /// A command returns all of its standard output at once, so that a fault on

@@ -20,10 +20,6 @@ std::string fault_of(const Parse& parse, const std::string& text) {
   }
 }
 
-std::string effect_fault(const std::string& text) {
-  return fault_of(updating::parse_effect, text);
-}
-
 std::string lines_fault(const std::string& text) {
   return fault_of(updating::parse_lines, text);
 }
@@ -46,6 +42,10 @@ std::string lambda_fault(const std::string& text) {
 }
 
 }  // namespace
+
+std::string effect_fault(const std::string& text) {
+  return fault_of(updating::parse_effect, text);
+}
 
 void add_effects(CLI::App& command, CommandOptions& options) {
   command

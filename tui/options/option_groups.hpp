@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 namespace tapfit::tui {
 
 /// What `tapfit export` can be told to write, besides FRFs and modes.
@@ -13,11 +15,16 @@ void add_export_options(CLI::App& command, CommandOptions& options);
 
 /// fit_options.cpp: --effect, as often as is wanted.
 void add_effects(CLI::App& command, CommandOptions& options);
+/// What is wrong with an effect as written; empty where nothing is.
+[[nodiscard]] std::string effect_fault(const std::string& text);
 /// --lines and --lambda.
 void add_regularisation(CLI::App& command, CommandOptions& options);
 
 /// What `tapfit predict` can be told of changes and of the model.
 void add_predict_options(CLI::App& command, CommandOptions& options);
+
+/// together_options.cpp: the tests, and what they share.
+void add_together_options(CLI::App& command, CommandOptions& options);
 
 /// frf_options.cpp: --estimator, --form, --window, --sigma and --best-hits.
 void add_estimate(CLI::App& command, FrfArguments& frf);

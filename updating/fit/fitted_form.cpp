@@ -1,5 +1,7 @@
 #include "updating/fit/fitted_form.hpp"
 
+#include "updating/residual/independent_data.hpp"
+
 #include <algorithm>
 #include <utility>
 
@@ -19,15 +21,17 @@ FormError form_error(const FrfModel& model,
   return {std::move(F), std::move(patterns.mesh_sd)};
 }
 
+Index common_patterns(const Target& target) {
+  return target.is_modal() ? 2 : 3;
+}
+
 Eigen::MatrixXd likely_form_bias(const FormError& form,
                                  double tau,
                                  double allowance,
                                  const Target& target) {
   const double common = std::max(tau, middle_tau * allowance);
-  // The last: even, linear and, in FRFs, of the modes above the band.
-  const Index above = target.is_modal() ? 0 : 1;
   Eigen::VectorXd sd = (form.mesh_sd.array().square() + tau * tau).sqrt();
-  sd.segment(sd.size() - 2 - above, 2).setConstant(common);
+  sd.segment(sd.size() - common_patterns(target), 2).setConstant(common);
   return form.F * sd.asDiagonal();
 }
 
@@ -46,6 +50,21 @@ Readjustment readjustment(const UpdateResult& result) {
     fit.pull(k) = 0.0;
   }
   return fit;
+}
+
+FittedForm fitted_form(const FrfModel& model,
+                       const UpdateResult& result,
+                       const Target& target,
+                       double allowance) {
+  const FormError patterns = form_error(model, result.state, target);
+  FittedForm fitted;
+  fitted.view = view(patterns, result.residual, readjustment(result));
+  fitted.view.allowance = allowance;
+  const FormEstimate form =
+      estimate_form(fitted.view, most_data(target), noise_error(target));
+  fitted.log_likelihood = form.log_likelihood;
+  fitted.bias = likely_form_bias(patterns, form.mean_tau, allowance, target);
+  return fitted;
 }
 
 }  // namespace tapfit::updating

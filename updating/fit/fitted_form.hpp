@@ -17,6 +17,10 @@ namespace tapfit::updating {
                                    const ModelState& state,
                                    const Target& target);
 
+/// Behind those of the modes: even, linear and, in FRFs, of the modes above the
+/// band.
+[[nodiscard]] Eigen::Index common_patterns(const Target& target);
+
 /// Its patterns, each at its deviation: tau, as what a fit leaves tells it, and
 /// what the mesh leaves. What all modes have in common, evenly or in proportion
 /// to their frequency, the modulus takes, and nothing that is left tells of it:
@@ -29,5 +33,18 @@ namespace tapfit::updating {
 
 /// How the parameters of a result may still move; those at a bound may not.
 [[nodiscard]] Readjustment readjustment(const UpdateResult& result);
+
+/// What a fit leaves, from a deck that may be wrong in form.
+struct FittedForm {
+  FormView view;
+  double log_likelihood = 0.0;  ///< see FormEstimate
+  Eigen::MatrixXd bias;         ///< see Target::form_bias
+};
+
+/// @param result of a fit of that model to that target
+[[nodiscard]] FittedForm fitted_form(const FrfModel& model,
+                                     const UpdateResult& result,
+                                     const Target& target,
+                                     double allowance);
 
 }  // namespace tapfit::updating

@@ -9,7 +9,6 @@
 #include "updating/fit/typical_damping.hpp"
 #include "updating/frf_model/mesh_at_state.hpp"
 #include "updating/places/told_apart.hpp"
-#include "updating/residual/independent_data.hpp"
 #include "updating/residual/parameter_uncertainty.hpp"
 
 #include <algorithm>
@@ -201,22 +200,15 @@ class Fitter::Course {
   // Of a parameter's standard deviation.
   static constexpr double settled_step = 0.05;
 
-  // How likely what is left is from a deck that may be wrong in form, and how
-  // far that may have driven the parameters.
   void take_form(Fit& fit) {
     Target& target = targets_.back();
-    const ModelState& state = fit.result.state;
-    const Eigen::VectorXd& r = fit.result.residual;
-    const FormError patterns = form_error(*fit.model, state, target);
-    fit.form = view(patterns, r, readjustment(fit.result));
-    fit.form.allowance = fitter_->problem_.form_allowance;
-    const FormEstimate form =
-        estimate_form(fit.form, most_data(target), noise_error(target));
+    FittedForm form = fitted_form(
+        *fit.model, fit.result, target, fitter_->problem_.form_allowance);
+    fit.form = std::move(form.view);
     fit.log_likelihood = form.log_likelihood;
-    target.form_bias =
-        likely_form_bias(patterns, form.mean_tau, fit.form.allowance, target);
+    target.form_bias = std::move(form.bias);
     fit.result.covariance = parameter_covariance(
-        target, fit.result.jacobian, r, fit.result.prior.sd);
+        target, fit.result.jacobian, fit.result.residual, fit.result.prior.sd);
   }
 
   void go_on(std::size_t stage, const MinimiseOptions& options) {

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -16,15 +17,49 @@ using Eigen::VectorXd;
 
 namespace {
 
+// Of a residual's entries.
+double variance(const FittedResidual& test) {
+  const double data = effective_data(test.target);
+  const double freedom =
+      std::min(std::max(1.0, data - static_cast<double>(test.parameters)),
+               residual_data(test.target, test.r));
+  return std::max(test.r.squaredNorm() / freedom, 1e-300);
+}
+
 // Where the errors of form and mesh would drive the parameters.
-MatrixXd form_covariance(const Target& target,
-                         const MatrixXd& J,
-                         const MatrixXd& gain) {
-  if (target.form_bias.rows() != J.rows()) {
-    return MatrixXd::Zero(J.cols(), J.cols());
+MatrixXd form_covariance(const std::vector<FittedResidual>& tests,
+                         const MatrixXd& bread) {
+  std::map<int, VectorXd> bias;  // by deviation
+  for (const FittedResidual& test : tests) {
+    if (test.target.form_bias.rows() != test.J.rows()) continue;
+    const MatrixXd own =
+        bread / variance(test) * (test.J.transpose() * test.target.form_bias);
+    for (Index k = 0; k < own.cols(); ++k) {
+      const int of = test.deviation.empty()
+                         ? static_cast<int>(k)
+                         : test.deviation[static_cast<std::size_t>(k)];
+      auto [it, fresh] = bias.try_emplace(of, own.col(k));
+      if (!fresh) it->second += own.col(k);
+    }
   }
-  const MatrixXd bias = gain * (J.transpose() * target.form_bias);
-  return bias * bias.transpose();
+  MatrixXd sum = MatrixXd::Zero(bread.rows(), bread.cols());
+  for (const auto& [of, b] : bias) sum += b * b.transpose();
+  return sum;
+}
+
+// What each run pulls the parameters by.
+void add_run_scores(const FittedResidual& test, std::vector<VectorXd>& scores) {
+  std::map<std::size_t, VectorXd> score;
+  const double of_entry = variance(test);
+  const Index per_frf = 2 * test.target.s.size();
+  for (std::size_t f = 0; f < test.target.run.size(); ++f) {
+    const Index at = static_cast<Index>(f) * per_frf;
+    const VectorXd g = test.J.middleRows(at, per_frf).transpose() *
+                       test.r.segment(at, per_frf) / of_entry;
+    auto [it, fresh] = score.try_emplace(test.target.run[f], g);
+    if (!fresh) it->second += g;
+  }
+  for (auto& [run, g] : score) scores.push_back(std::move(g));
 }
 
 // A^-1, wide where A tells next to nothing: two effects that do the same have
@@ -56,35 +91,30 @@ MatrixXd parameter_covariance(const Target& target,
                               const MatrixXd& J,
                               const VectorXd& r,
                               const VectorXd& prior_sd) {
-  const Index n = J.cols();
+  return parameter_covariance({{target, J, r, J.cols()}}, prior_sd);
+}
+
+MatrixXd parameter_covariance(const std::vector<FittedResidual>& tests,
+                              const VectorXd& prior_sd) {
+  const Index n = prior_sd.size();
   if (n == 0) return MatrixXd(0, 0);
-  const double data = effective_data(target);
-  const double freedom = std::min(std::max(1.0, data - static_cast<double>(n)),
-                                  residual_data(target, r));
-  const double variance = std::max(r.squaredNorm() / freedom, 1e-300);
-  MatrixXd A = J.transpose() * J / variance;
+  MatrixXd A = MatrixXd::Zero(n, n);
+  for (const FittedResidual& test : tests) {
+    A += test.J.transpose() * test.J / variance(test);
+  }
   for (Index k = 0; k < n; ++k) {
     A(k, k) += std::isfinite(prior_sd(k)) ? std::pow(prior_sd(k), -2) : 0.0;
     A(k, k) = std::max(A(k, k), 1e-12);
   }
   const MatrixXd bread = wide_inverse(A);
-
-  std::map<std::size_t, VectorXd> score;
-  const Index per_frf = 2 * target.s.size();
-  for (std::size_t f = 0; f < target.run.size(); ++f) {
-    const Index at = static_cast<Index>(f) * per_frf;
-    const VectorXd g = J.middleRows(at, per_frf).transpose() *
-                       r.segment(at, per_frf) / variance;
-    auto [it, fresh] = score.try_emplace(target.run[f], g);
-    if (!fresh) it->second += g;
-  }
-  const auto groups = static_cast<double>(score.size());
-  const MatrixXd gain = bread / variance;
-  const MatrixXd of_deck = form_covariance(target, J, gain);
+  const MatrixXd of_deck = form_covariance(tests, bread);
+  std::vector<VectorXd> scores;
+  for (const FittedResidual& test : tests) add_run_scores(test, scores);
+  const auto groups = static_cast<double>(scores.size());
   // A handful of runs cannot carry a covariance of their own.
   if (groups < 5.0) return within_prior(bread + of_deck, prior_sd);
   MatrixXd meat = MatrixXd::Zero(n, n);
-  for (const auto& [run, g] : score) meat += g * g.transpose();
+  for (const VectorXd& g : scores) meat += g * g.transpose();
   const MatrixXd robust = groups / (groups - 1.0) * bread * meat * bread;
   VectorXd widen(n);
   for (Index k = 0; k < n; ++k) {

@@ -5,7 +5,20 @@
 
 #include <Eigen/Core>
 
+#include <vector>
+
 namespace tapfit::updating {
+
+/// What a fit leaves of one test.
+struct FittedResidual {
+  const Target& target;
+  const Eigen::MatrixXd& J;  ///< (2 lines FRFs) x n, of stack()
+  const Eigen::VectorXd& r;  ///< residual of the same length
+  Eigen::Index parameters;   ///< that move it: its columns that are not zero
+  /// Of each column of target.form_bias which deviation of the deck it is: one
+  /// that tests share drives all of them at once. Empty: as they are counted.
+  std::vector<int> deviation = {};
+};
 
 /// Covariance of theta from the final Jacobian.
 ///
@@ -17,13 +30,17 @@ namespace tapfit::updating {
 /// practitioner's guide to cluster-robust inference", J. Human Resources 50,
 /// 2015.
 ///
-/// @param J (2 lines FRFs) x n, of stack()
-/// @param r residual of the same length
 /// @param prior_sd n, infinite where there is no prior
 [[nodiscard]] Eigen::MatrixXd parameter_covariance(
     const Target& target,
     const Eigen::MatrixXd& J,
     const Eigen::VectorXd& r,
     const Eigen::VectorXd& prior_sd);
+
+/// The same of several tests that were fitted together, each with a variance
+/// and runs of its own. What a deck that they share is wrong by does not
+/// average out.
+[[nodiscard]] Eigen::MatrixXd parameter_covariance(
+    const std::vector<FittedResidual>& tests, const Eigen::VectorXd& prior_sd);
 
 }  // namespace tapfit::updating

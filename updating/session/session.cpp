@@ -10,6 +10,7 @@
 #include "updating/reduction/base_error.hpp"
 #include "updating/robustness/robustness.hpp"
 #include "updating/session/effect_change.hpp"
+#include "updating/session/fitted_test.hpp"
 #include "updating/session/session_stages.hpp"
 #include "updating/session/test_of_modes.hpp"
 
@@ -233,6 +234,15 @@ void Session::set_update(const UpdateChoice& choice) {
   if (const auto& band = bundle().band_hz) check_lines(choice.lines, *band);
   stages_->choice = choice;
   stages_->plain.reset();
+}
+
+FittedTest Session::fitted(const Progress& progress) {
+  stages_->prepare_fit(progress);
+  return {*stages_->ground->fitter,
+          stages_->stack->fits().front(),
+          stages_->current(),
+          stages_->ground->properties,
+          stages_->context()};
 }
 
 std::vector<UpdateRecord> Session::update_records(const Progress& progress) {

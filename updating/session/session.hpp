@@ -38,6 +38,7 @@
 
 namespace tapfit::updating {
 
+struct FittedTest;
 struct SessionStages;
 
 class Session {
@@ -145,6 +146,9 @@ class Session {
 
   /// What the deck of the current model is wrong by in form.
   std::vector<ModelForm> model_form(const Progress& progress = {});
+
+  /// What fits of several tests together need of this one.
+  FittedTest fitted(const Progress& progress = {});
 
   /// How each of the ladder's fits came about: no base rung.
   std::vector<UpdateRecord> update_records(const Progress& progress = {});

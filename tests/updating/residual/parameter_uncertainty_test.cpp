@@ -65,5 +65,37 @@ TEST(ParameterUncertainty, NothingIsKnownLessThanBeforeItWasMeasured) {
   }
 }
 
+// Of two tests that say the same of a parameter noise counts half; what the
+// deck is wrong by, where it is one deck, counts as before.
+TEST(ParameterUncertainty, OfTestsTogetherTheDecksErrorDoesNotAverageOut) {
+  const PlateExperiment test({}, 0.01, 3);
+  Target target = test.fitter().target();
+  target.run.assign(target.run.size(), 0);
+  const Eigen::VectorXd r =
+      test.fitter().fit({}, test.fitter().model_for({})).result.residual;
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  Eigen::MatrixXd J(r.size(), 1);
+  for (double& value : J.reshaped()) value = normal(random);
+  const Eigen::VectorXd open =
+      Eigen::VectorXd::Constant(1, std::numeric_limits<double>::infinity());
+  const double noise = parameter_covariance(target, J, r, open)(0, 0);
+  const FittedResidual alone{target, J, r, 1};
+  EXPECT_NEAR(parameter_covariance({alone, alone}, open)(0, 0),
+              0.5 * noise,
+              1e-9 * noise);
+  target.form_bias = J;
+  const double form = parameter_covariance(target, J, r, open)(0, 0) - noise;
+  ASSERT_GT(form, noise);
+  const FittedResidual one_deck{target, J, r, 1, {0}};
+  const FittedResidual another{target, J, r, 1, {1}};
+  EXPECT_NEAR(parameter_covariance({one_deck, one_deck}, open)(0, 0),
+              0.5 * noise + form,
+              1e-9 * form);
+  EXPECT_NEAR(parameter_covariance({one_deck, another}, open)(0, 0),
+              0.5 * noise + 0.5 * form,
+              1e-9 * form);
+}
+
 }  // namespace
 }  // namespace tapfit::updating
