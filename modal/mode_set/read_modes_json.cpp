@@ -1,6 +1,7 @@
 #include "modal/mode_set/read_modes_json.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/parse_json.hpp"
 #include "modal/mode_set/complexity.hpp"
 
 #include <fmt/format.h>
@@ -74,32 +75,68 @@ std::complex<double> complex_value(const json& value, int sign) {
 }
 
 /// Of {"value": .., "sd": ..} or of a number.
-double value_of(const json& said) {
-  return said.is_number() ? said.get<double>() : said.at("value").get<double>();
-}
+struct Said {
+  double value = 0.0;
+  double sd = 0.0;
+};
 
-double sd_of(const json& said) {
-  return said.is_number() ? 0.0 : said.value("sd", 0.0);
+Said number_at(const json& entry,
+               const std::string& key,
+               const std::string& place) {
+  const json said = entry.value(key, json());
+  if (said.is_number()) return {said.get<double>()};
+  const json value = said.is_object() ? said.value("value", json()) : json();
+  const json sd = said.is_object() ? said.value("sd", json(0.0)) : json();
+  if (value.is_number() && sd.is_number()) {
+    return {value.get<double>(), sd.get<double>()};
+  }
+  throw InputError(
+      said.is_null() ? "it is missing"
+                     : fmt::format("{} is no number", said.dump()),
+      place + "." + key,
+      fmt::format("write \"{0}\": 8.2 or \"{0}\": {{\"value\": 8.2, "
+                  "\"sd\": 0.01}}",
+                  key));
 }
 
 Mode take_mode(const json& entry, const Rows& rows, const std::string& place) {
   Mode mode;
-  const json& frequency = entry.at("frequency_hz");
-  const json damping = entry.value("damping_ratio", json(0.0));
-  mode.frequency_sd_hz = sd_of(frequency);
-  mode.damping_sd = sd_of(damping);
-  set_pole(mode, value_of(frequency), value_of(damping));
-  mode.shape = values<std::complex<double>>(
-      entry.value("shape", json::object()), rows, place, complex_value);
+  const Said frequency = number_at(entry, "frequency_hz", place);
+  const Said damping = entry.contains("damping_ratio")
+                           ? number_at(entry, "damping_ratio", place)
+                           : Said{};
+  mode.frequency_sd_hz = frequency.sd;
+  mode.damping_sd = damping.sd;
+  set_pole(mode, frequency.value, damping.value);
+  mode.shape =
+      values<std::complex<double>>(entry.value("shape", json::object()),
+                                   rows,
+                                   place + ".shape",
+                                   complex_value);
   if (entry.contains("shape_sd")) {
-    mode.shape_sd = values<double>(
-        entry.at("shape_sd"), rows, place + "_sd", [](const json& v, int) {
-          return v.get<double>();
-        });
+    mode.shape_sd =
+        values<double>(entry.at("shape_sd"),
+                       rows,
+                       place + ".shape_sd",
+                       [](const json& v, int) { return v.get<double>(); });
   }
   mode.mpc = phase_collinearity(mode.shape);
   mode.mpd_deg = mean_phase_deviation(mode.shape);
   return mode;
+}
+
+/// The list of modes, each an object.
+json list_of_modes(const json& all, const std::string& name) {
+  const json modes = all.is_object() ? all.value("modes", json()) : json();
+  const bool list =
+      modes.is_array() && std::ranges::all_of(modes, [](const json& mode) {
+        return mode.is_object();
+      });
+  if (list) return modes;
+  throw InputError("it holds no list of modes",
+                   name,
+                   "write {\"modes\": [{\"frequency_hz\": 8.2, \"shape\": "
+                   "{\"12Z+\": 0.5}}]}, as tapfit modes BUNDLE --json does");
 }
 
 }  // namespace
@@ -107,13 +144,13 @@ Mode take_mode(const json& entry, const Rows& rows, const std::string& place) {
 ModeSet read_modes_json(const std::string& text, const std::string& name) {
   ModeSet set;
   try {
-    const json all = json::parse(text);
-    const json& modes = all.at("modes");
+    const json all = parse_json(text, name);
+    const json modes = list_of_modes(all, name);
     const Rows rows = take_points(modes, name);
     for (const auto& [dof, row] : rows) set.dofs.push_back(dof);
     for (std::size_t k = 0; k < modes.size(); ++k) {
-      set.modes.push_back(take_mode(
-          modes[k], rows, fmt::format("{}: modes[{}].shape", name, k)));
+      set.modes.push_back(
+          take_mode(modes[k], rows, fmt::format("{}: modes[{}]", name, k)));
     }
     set.scaled = all.value("unit_modal_mass", false);
   } catch (const json::exception& error) {

@@ -7,10 +7,12 @@
 #include "updating/export/updated_deck.hpp"
 #include "updating/session/add_diagnosed.hpp"
 #include "updating/session/session.hpp"
+#include "updating/structure/edit/card_difference.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 
 namespace tapfit::tui {
@@ -42,6 +44,33 @@ std::string unwritten(const std::filesystem::path& deck) {
   return text;
 }
 
+ordered_json cards_json(const std::vector<structure::CardChange>& cards) {
+  ordered_json list = ordered_json::array();
+  for (const structure::CardChange& change : cards) {
+    list.push_back({{"card", change.card},
+                    {"where", change.where},
+                    {"before", change.before},
+                    {"after", change.after}});
+  }
+  return list;
+}
+
+// As a diff: a sign, then the card.
+std::string cards_text(const std::vector<structure::CardChange>& cards) {
+  constexpr std::size_t shown = 30;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(shown, cards.size()); ++k) {
+    text += fmt::format("  {}\n", cards[k].where);
+    if (!cards[k].before.empty()) text += "  - " + cards[k].before + "\n";
+    if (!cards[k].after.empty()) text += "  + " + cards[k].after + "\n";
+  }
+  if (cards.size() > shown) {
+    text += fmt::format("  and {} cards more: --json lists all\n",
+                        cards.size() - shown);
+  }
+  return text;
+}
+
 acquisition::UffNodes nodes_as(const CommandOptions& options) {
   return options.node_dataset == 15 ? acquisition::UffNodes::D15
                                     : acquisition::UffNodes::D2411;
@@ -58,7 +87,10 @@ std::string export_command(const CommandOptions& options,
         "name a file with --uff, --records, --deck, --vtu or several");
   }
   updating::Session session = open_bundle(options);
-  if (options.deck) updating::check_has_deck(session);
+  if (options.deck) {
+    updating::check_has_deck(session);
+    updating::check_deck_name(*options.deck);
+  }
   const acquisition::OutputRule rule = output_rule(session.bundle(), options);
   std::vector<std::string> written;
   if (options.uff) {
@@ -88,10 +120,18 @@ std::string export_command(const CommandOptions& options,
     updating::write_updated_deck(session, *options.deck, rule, progress);
     written.push_back(options.deck->string());
   }
-  if (options.json) return ordered_json{{"written", written}}.dump(2) + "\n";
+  std::vector<structure::CardChange> cards;
+  if (options.deck) {
+    cards = structure::card_difference(*session.bundle().deck, *options.deck);
+  }
+  if (options.json) {
+    ordered_json json{{"written", written}};
+    if (options.deck) json["cards"] = cards_json(cards);
+    return json.dump(2) + "\n";
+  }
   std::string text;
   for (const auto& file : written) text += "written: " + file + "\n";
-  if (options.deck) text += unwritten(*options.deck);
+  if (options.deck) text += cards_text(cards) + unwritten(*options.deck);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include "signal/checks/frac.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,6 +115,23 @@ void pair_up(const modal::ModeSet& modes,
   }
 }
 
+// Pairs alone would not show that the model has nothing like them.
+std::string unpaired_text(const modal::ModeSet& modes,
+                          const std::vector<ModePair>& pairs) {
+  std::vector<std::string> left;
+  for (std::size_t k = 0; k < modes.modes.size(); ++k) {
+    if (std::ranges::count(pairs, static_cast<int>(k), &ModePair::measured)) {
+      continue;
+    }
+    left.push_back(
+        fmt::format("{} ({:.4g} Hz)", k + 1, modes.modes[k].frequency_hz));
+  }
+  if (left.empty()) return {};
+  return fmt::format("no mode of the model is like measured mode{} {}",
+                     left.size() > 1 ? "s" : "",
+                     fmt::join(left, ", "));
+}
+
 void errors(const Target& target,
             const MatrixXcd& H,
             const signal::FrfSet& frfs,
@@ -190,6 +208,8 @@ Comparison compare(const Fit& fit,
                               ? MatrixXd()
                               : modal::condensed_mass(at_dofs, all.omega);
     pair_up(modes, by_hand, mass, c);
+    std::string unpaired = unpaired_text(modes, c.pairs);
+    if (!unpaired.empty()) c.pair_notes.push_back(std::move(unpaired));
   }
   return c;
 }

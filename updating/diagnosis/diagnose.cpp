@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace tapfit::updating {
@@ -160,6 +161,8 @@ Climbed climbed(const Fitter& fitter,
                    tried_for(result.ladder, selection),
                    selection.passed_over()};
   result.candidates = selection.candidates();
+  std::ranges::stable_sort(
+      result.candidates, std::greater{}, &Candidate::probability);
   result.next = next_measurements(found, result.ladder, fitter, last);
   lead_with_ladder(result.candidates,
                    result.ladder,

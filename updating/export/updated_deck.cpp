@@ -10,6 +10,7 @@
 #include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_property.hpp"
 #include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/edit/damping_table.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 #include "updating/structure/edit/direct_matrix.hpp"
 #include "updating/structure/edit/move_elements.hpp"
@@ -20,7 +21,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <iterator>
 #include <system_error>
 
 namespace tapfit::updating {
@@ -247,10 +250,37 @@ void check_has_deck(const Session& session) {
   }
 }
 
+namespace {
+
+std::vector<std::array<double, 2>> measured_damping(const modal::ModeSet& set) {
+  std::vector<std::array<double, 2>> damping;
+  for (const modal::Mode& mode : set.modes) {
+    const bool known = mode.damping_ratio > 0.0 && mode.frequency_hz > 0.0;
+    // A table has one value at a frequency.
+    const bool next =
+        damping.empty() || mode.frequency_hz > damping.back()[0] * (1.0 + 1e-6);
+    if (known && next)
+      damping.push_back({mode.frequency_hz, mode.damping_ratio});
+  }
+  return damping;
+}
+
+}  // namespace
+
+void check_deck_name(const std::filesystem::path& path) {
+  if (path.extension() != ".inp") return;
+  throw InputError(
+      "decks are written as bulk data, also of an Abaqus or "
+      "CalculiX one",
+      path.string(),
+      "name the file .bdf or .dat");
+}
+
 void write_updated_deck(Session& session,
                         const std::filesystem::path& path,
                         const acquisition::OutputRule& rule,
                         const Progress& progress) {
+  check_deck_name(path);
   const structure::Deck& deck = session.deck(progress);
   const Diagnosis named =
       diagnosis_of_named(session.ladder(progress),
@@ -261,6 +291,10 @@ void write_updated_deck(Session& session,
                                      named.candidates,
                                      named.model_parameters,
                                      session.model_form(progress));
+  std::ranges::move(
+      structure::damping_table_cards(structure::free_table(deck.path),
+                                     measured_damping(session.modes(progress))),
+      std::back_inserter(updated.added));
   structure::Deck changed = deck;
   changed.cards = std::move(updated.lines);
   structure::write_deck(changed, updated.added, path, rule);

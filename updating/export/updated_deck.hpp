@@ -42,12 +42,17 @@ struct UpdatedDeck {
     const std::vector<Estimate>& identified,
     const std::vector<ModelForm>& form = {});
 
+/// The updated deck, with the measured damping as a table (TABDMP1).
 /// @throws InputError for a bundle without a deck, a file that cannot be
 ///   written; Stopped
 void write_updated_deck(Session& session,
                         const std::filesystem::path& path,
                         const acquisition::OutputRule& rule,
                         const Progress& progress);
+
+/// @throws InputError for .inp: bulk data of that name would be read as another
+///   kind of deck
+void check_deck_name(const std::filesystem::path& path);
 
 /// @throws InputError for a model given as matrices, which has no deck
 void check_has_deck(const Session& session);

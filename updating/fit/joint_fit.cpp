@@ -228,7 +228,8 @@ void Together::go_on(const Progress& progress) {
   }
 }
 
-// The n-th mode's is the n-th mode's of another test of the structure.
+// The n-th pattern of a test is taken for the n-th of another one of the
+// structure.
 std::vector<int> deviations(const Target& target, int structure) {
   const Index count = target.form_bias.cols();
   const Index modes = count - common_patterns(target);

@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/measurement/bundle_frfs.hpp"
 #include "updating/measurement/bundle_modes.hpp"
+#include "updating/measurement/named_grids.hpp"
 #include "updating/measurement/place_points.hpp"
 #include "updating/structure/assembly/multipoint_constraints.hpp"
 #include "updating/structure/checks/material_checks.hpp"
@@ -29,7 +30,10 @@ void check_grid(const structure::Deck& deck,
     throw InputError(
         fmt::format("the model has no grid {}", node_name(dof.node)),
         place,
-        fmt::format("use a grid id of {}", deck.path.filename().string()));
+        fmt::format(
+            "use a grid id of {}; where the test has points of its own, "
+            "say with \"geometry\" in test.json where they lie",
+            deck.path.filename().string()));
   }
 }
 
@@ -118,6 +122,14 @@ std::set<int> own_labels(const std::vector<Point>& points) {
   return labels;
 }
 
+std::set<int> grids_of(const std::vector<Point>& points) {
+  std::set<int> grids;
+  for (const Point& point : points) {
+    if (point.dof.node > 0) grids.insert(point.dof.node);
+  }
+  return grids;
+}
+
 // Each degree of freedom is named where it is first.
 void check_points(const std::vector<Point>& points, structure::Deck& deck) {
   const Held held(deck);
@@ -175,6 +187,7 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
         "modes is not known, and the floor is the noise alone");
   }
   const std::vector<Point> points = points_of(bundle);
+  check_named_grids(bundle, grids_of(points), deck);
   place_points(bundle, own_labels(points), deck);
   check_points(points, deck);
   warn_of_turned_supports(deck);

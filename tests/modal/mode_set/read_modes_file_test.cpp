@@ -209,5 +209,17 @@ TEST(CheckMeasured, NamesModeFaultAndRemedy) {
   EXPECT_FALSE(fault([](ModeSet& s) { s.modes[0].shape.setZero(); }).empty());
 }
 
+TEST(ReadModesJson, NamesTheNumberThatIsNone) {
+  const auto fault = [](const char* text) {
+    return said([text] { (void)read_modes_json(text, "modes.json"); });
+  };
+  const std::string text =
+      fault(R"({"modes": [{"frequency_hz": 8.0}, {"frequency_hz": "8.2"}]})");
+  EXPECT_TRUE(has(text, "modes.json: modes[1].frequency_hz")) << text;
+  EXPECT_TRUE(has(text, "\"8.2\" is no number")) << text;
+  EXPECT_TRUE(has(fault(R"({"modes": [{}]})"), "it is missing"));
+  EXPECT_TRUE(has(fault(R"({"frequencies": [8.2]})"), "no list of modes"));
+}
+
 }  // namespace
 }  // namespace tapfit::modal

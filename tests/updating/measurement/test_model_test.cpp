@@ -4,9 +4,14 @@
 #include "signal/files/uff58.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -169,6 +174,79 @@ TEST_F(TestModel, RefusesAGridThatTheModelLacks) {
   } catch (const InputError& error) {
     EXPECT_EQ(error.where(), "test.json: runs[0].hammer");
   }
+}
+
+// A bar of five grids and a file of modes that has them where they are, in mm
+// and beside the model, or under other numbers.
+class NamedGrids : public ::testing::Test {
+ protected:
+  std::vector<std::string> warnings(
+      const std::vector<std::array<double, 2>>& at) const {
+    std::string deck =
+        "MAT1,1,7.0+10,,0.3,2700.\nPBAR,1,1,1.-4,1.-8,1.-8,1.-8\n";
+    for (int k = 0; k < 5; ++k) {
+      deck += fmt::format("GRID,{},,{},{},0.\n", k + 1, 0.1 * k, 0.02 * k * k);
+    }
+    for (int k = 1; k < 5; ++k) {
+      deck += fmt::format("CBAR,{0},1,{0},{1},0.,0.,1.\n", k, k + 1);
+    }
+    std::string uff = "    -1\n  2411\n";
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      uff += fmt::format("{:10}{:10}{:10}{:10}\n{:25.16E}{:25.16E}{:25.16E}\n",
+                         k + 1,
+                         0,
+                         0,
+                         11,
+                         at[k][0],
+                         at[k][1],
+                         0.0);
+    }
+    uff += "    -1\n    -1\n    55\nshape\nNONE\nNONE\nNONE\nNONE\n";
+    uff += fmt::format("{:10}{:10}{:10}{:10}{:10}{:10}\n", 1, 2, 2, 8, 2, 3);
+    uff += fmt::format("{:10}{:10}{:10}{:10}\n", 2, 4, 0, 1);
+    uff +=
+        fmt::format("{:13.5E}{:13.5E}{:13.5E}{:13.5E}\n", 20.0, 1.0, 0.0, 0.0);
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      uff += fmt::format(
+          "{:10}\n{:13.5E}{:13.5E}{:13.5E}\n", k + 1, 0.0, 0.0, 1.0);
+    }
+    uff += "    -1\n";
+    acquisition::TestBundle bundle;
+    bundle.folder = folder_.path();
+    bundle.deck = folder_.write("model.bdf", deck);
+    bundle.modes = acquisition::ReadyModes{folder_.write("modes.uff", uff)};
+    std::vector<std::string> found;
+    for (const std::string& text : read_test_model(bundle).warnings) {
+      if (text.find("own coordinates") != std::string::npos) {
+        found.push_back(text);
+      }
+    }
+    return found;
+  }
+  tapfit::testing::TemporaryFolder folder_;
+};
+
+TEST_F(NamedGrids, AreWhereTheFileHasThem) {
+  std::vector<std::array<double, 2>> same;
+  std::vector<std::array<double, 2>> millimetres;
+  std::vector<std::array<double, 2>> moved;
+  for (int k = 0; k < 5; ++k) {
+    const double x = 0.1 * k;
+    const double y = 0.02 * k * k;
+    same.push_back({x, y});
+    millimetres.push_back({1000.0 * x, 1000.0 * y});
+    moved.push_back({3.0 - y, 5.0 + x});  // and turned
+  }
+  EXPECT_TRUE(warnings(same).empty());
+  EXPECT_TRUE(warnings(millimetres).empty());
+  EXPECT_TRUE(warnings(moved).empty());
+  std::swap(same[1], same[4]);
+  const std::vector<std::string> exchanged = warnings(same);
+  ASSERT_EQ(exchanged.size(), 1U);
+  EXPECT_NE(exchanged[0].find("2 of 5 points"), std::string::npos)
+      << exchanged[0];
+  EXPECT_NE(exchanged[0].find("\"geometry\": \"modes.uff\""),
+            std::string::npos);
 }
 
 }  // namespace

@@ -226,6 +226,7 @@ class CaseReader {
       return;
     }
     const Selection chosen = selection(text);
+    if (chosen.name == "METHOD") control.for_modes = true;
     if (chosen.name == "SPC") take_spc(parse_integer(chosen.value), control);
     if (chosen.name == "MPC" && (subcase_ < 2 || !control.mpc_set)) {
       const std::optional<int> set = parse_integer(chosen.value);

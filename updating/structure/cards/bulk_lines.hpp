@@ -22,6 +22,7 @@ struct SourceLine {
 
 /// What the case control selects: of several subcases the first.
 struct CaseControl {
+  bool for_modes = false;           ///< METHOD = n: it is solved as it stands
   std::optional<int> spc_set;       ///< SPC = n
   std::vector<int> other_spc_sets;  ///< of further subcases, each once
   std::optional<int> mpc_set;       ///< MPC = n

@@ -105,10 +105,17 @@ void name_direct_stiffness(const std::string& name,
     return without_blanks(line).starts_with("BEGINBULK");
   });
   if (bulk == lines.end()) return;
-  const bool named = std::any_of(lines.begin(), bulk, [](const auto& line) {
+  const auto named = std::find_if(lines.begin(), bulk, [](const auto& line) {
     return without_blanks(line).starts_with("K2GG=");
   });
-  if (!named) lines.insert(bulk, "K2GG = " + name);
+  if (named == bulk) {
+    lines.insert(bulk, "K2GG = " + name);
+    return;
+  }
+  const std::string taken = without_blanks(*named).substr(5) + ",";
+  if (("," + taken).find("," + name + ",") == std::string::npos) {
+    *named += "," + name;
+  }
 }
 
 }  // namespace tapfit::structure

@@ -59,7 +59,8 @@ bool quadratic(const Shape& shape) {
       "above zero)",
       card_place(deck, solid.where, fmt::format("solid {}", solid.id)),
       "Check the order of its grids: seen from the second face, the first one "
-      "goes round clockwise; and that grids of edges lie near their middles.");
+      "goes round counter-clockwise; and that grids of edges lie near their "
+      "middles.");
 }
 
 // Strains (exx, eyy, ezz, 2 exy, 2 eyz, 2 ezx) from slopes of one function.

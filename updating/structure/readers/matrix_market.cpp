@@ -305,7 +305,11 @@ SparseMatrix read_matrix_market(const std::filesystem::path& path) {
       header.find("PATTERN") == std::string::npos &&
       (symmetric || header.find(" GENERAL") != std::string::npos) &&
       header.find("SKEW") == std::string::npos;
-  if (!known) reader.fail("this is not a real Matrix Market matrix");
+  if (!known) {
+    reader.fail(
+        "this is neither a Matrix Market matrix of real numbers nor OUTPUT4 as "
+        "text; a binary OUTPUT4 file is to be written formatted");
+  }
   const std::vector<double> size = reader.numbers(dense ? 2 : 3);
   if (size[0] < 1.0 || size[0] != size[1]) {
     reader.fail("the matrix is not square");

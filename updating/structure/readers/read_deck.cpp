@@ -41,6 +41,20 @@ std::string numbered(const char* name, std::size_t count) {
   return fmt::format("{} sets of {}", count, name);
 }
 
+// A case control that is solved as it stands and chooses no set holds nothing.
+void warn_unasked(const CaseControl& control,
+                  const char* name,
+                  int set,
+                  Deck& deck) {
+  if (!control.for_modes) return;
+  deck.warnings.push_back(fmt::format(
+      "the case control chooses no {0}, so that Nastran would leave "
+      "it out: set {1} holds here; write {0} = {1} there, or take "
+      "its cards out if the model is meant without",
+      name,
+      set));
+}
+
 // All sets hold where none is chosen; that is said where it may not be meant.
 void warn_unselected(const DeckBuilder& builder,
                      const CaseControl& control,
@@ -51,6 +65,12 @@ void warn_unselected(const DeckBuilder& builder,
   }
   if (!control.mpc_set && builder.relation_sets.size() > 1) {
     sets.push_back(numbered("MPC", builder.relation_sets.size()));
+  }
+  if (!control.spc_set && builder.constraint_sets.size() == 1) {
+    warn_unasked(control, "SPC", builder.constraint_sets.begin()->first, deck);
+  }
+  if (!control.mpc_set && builder.relation_sets.size() == 1) {
+    warn_unasked(control, "MPC", builder.relation_sets.begin()->first, deck);
   }
   if (sets.empty()) return;
   deck.warnings.push_back(
@@ -134,6 +154,7 @@ Deck read_deck(const std::filesystem::path& path,
   std::vector<CardTable> known = passes;
   known.push_back(coordinate_cards());
   known.push_back(grid_coordinate_cards());
+  take_out(ignored, known, bulk);
   const UnsupportedCards unsupported = unsupported_cards(bulk, known);
   refuse_needed(unsupported, ignored);
   try {

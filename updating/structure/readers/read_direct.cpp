@@ -6,6 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -66,23 +70,91 @@ void read_column(DeckBuilder& builder, const CardReader& card) {
   }
 }
 
+using MatrixDof = std::pair<int, int>;  // grid, component
+
+// One triangle of a square matrix whose numbers are symmetric all the same.
+std::optional<std::vector<MatrixTerm>> triangle_of(
+    const std::vector<MatrixTerm>& square) {
+  std::map<std::pair<MatrixDof, MatrixDof>, double> value;
+  const auto row = [](const MatrixTerm& t) {
+    return MatrixDof{t.grids[0], t.components[0]};
+  };
+  const auto column = [](const MatrixTerm& t) {
+    return MatrixDof{t.grids[1], t.components[1]};
+  };
+  for (const MatrixTerm& t : square) value[{row(t), column(t)}] += t.value;
+  std::vector<MatrixTerm> triangle;
+  for (const auto& [at, own] : value) {
+    constexpr double rounding = 1e-6;  // of numbers in fields of eight columns
+    const auto other = value.find({at.second, at.first});
+    const double mirrored = other == value.end() ? 0.0 : other->second;
+    if (std::abs(own - mirrored) > rounding * std::abs(own)) return {};
+    if (at.first < at.second) continue;
+    triangle.push_back({{at.first.first, at.second.first},
+                        {at.first.second, at.second.second},
+                        own});
+  }
+  return triangle;
+}
+
 std::vector<MatrixTerm> symmetric_terms(const DirectMatrix& matrix,
                                         const std::string& name) {
   if (matrix.form == symmetric_form) return matrix.terms;
+  if (auto triangle = triangle_of(matrix.terms)) return *std::move(triangle);
   throw InputError(
       fmt::format("DMIG {} is not symmetric (IFO = {})", name, matrix.form),
       matrix.where,
       "Give stiffness and mass with IFO 6, one triangle of each.");
 }
 
+// NAME, or FACTOR*NAME.
+struct TakenMatrix {
+  std::string name;
+  double factor = 1.0;
+};
+
+std::vector<TakenMatrix> taken(const std::vector<std::string>& texts) {
+  std::vector<TakenMatrix> result;
+  for (const std::string& text : texts) {
+    const std::size_t star = text.find('*');
+    if (star == std::string::npos) {
+      result.push_back({text});
+      continue;
+    }
+    const std::optional<double> factor =
+        parse_real(trimmed(text.substr(0, star)));
+    if (!factor) {
+      throw InputError(
+          fmt::format("the case control takes \"{}\" as a matrix", text),
+          "K2GG and M2GG",
+          "Give a name or a number times a name, such as 2.0*KX.");
+    }
+    result.push_back({trimmed(text.substr(star + 1)), *factor});
+  }
+  return result;
+}
+
+// @param needed whether the case control names them
 void take(const DeckBuilder& builder,
-          const std::vector<std::string>& names,
+          const std::vector<TakenMatrix>& matrices,
+          bool needed,
           std::vector<MatrixTerm>& terms) {
-  for (const std::string& name : names) {
+  for (const auto& [name, factor] : matrices) {
     const auto found = builder.direct_matrices.find(name);
-    if (found == builder.direct_matrices.end()) continue;
-    const std::vector<MatrixTerm> own = symmetric_terms(found->second, name);
-    terms.insert(terms.end(), own.begin(), own.end());
+    if (found == builder.direct_matrices.end()) {
+      if (!needed) continue;
+      throw InputError(
+          fmt::format("the case control takes the matrix {}, which no DMIG of "
+                      "the deck defines",
+                      name),
+          "K2GG and M2GG",
+          "Add its DMIG cards, or take it out there if the model is whole "
+          "without.");
+    }
+    for (MatrixTerm term : symmetric_terms(found->second, name)) {
+      term.value *= factor;
+      terms.push_back(term);
+    }
   }
 }
 
@@ -93,17 +165,18 @@ CardTable direct_matrix_cards() { return {{"DMIG", read_column}}; }
 void apply_direct_matrices(DeckBuilder& builder,
                            const std::vector<std::string>& stiffness,
                            const std::vector<std::string>& mass) {
-  if (builder.direct_matrices.empty()) return;
   const bool chosen = !stiffness.empty() || !mass.empty();
-  const std::vector<std::string> K =
-      chosen ? stiffness : std::vector<std::string>{"K2GG", "KAAX", "KGG"};
-  const std::vector<std::string> M =
-      chosen ? mass : std::vector<std::string>{"M2GG", "MAAX", "MGG"};
-  take(builder, K, builder.deck.stiffness_terms);
-  take(builder, M, builder.deck.mass_terms);
+  const std::vector<TakenMatrix> K = taken(
+      chosen ? stiffness : std::vector<std::string>{"K2GG", "KAAX", "KGG"});
+  const std::vector<TakenMatrix> M =
+      taken(chosen ? mass : std::vector<std::string>{"M2GG", "MAAX", "MGG"});
+  take(builder, K, chosen, builder.deck.stiffness_terms);
+  take(builder, M, chosen, builder.deck.mass_terms);
   for (const auto& [name, matrix] : builder.direct_matrices) {
-    const bool used = std::ranges::count(K, name) + std::ranges::count(M, name);
-    if (used) continue;
+    const auto is_this = [&](const TakenMatrix& m) { return m.name == name; };
+    if (std::ranges::any_of(K, is_this) || std::ranges::any_of(M, is_this)) {
+      continue;
+    }
     builder.deck.warnings.push_back(
         fmt::format("{}: DMIG {} is left out; name it by K2GG or M2GG in the "
                     "case control where it belongs to the model",

@@ -118,17 +118,46 @@ struct Unknown {
   int count = 0;
 };
 
+bool is_read(const std::string& name, const std::vector<CardTable>& passes) {
+  return std::ranges::any_of(
+      passes, [&](const CardTable& table) { return table.contains(name); });
+}
+
 }  // namespace
+
+void take_out(const std::vector<std::string>& ignored,
+              const std::vector<CardTable>& passes,
+              BulkData& bulk) {
+  for (const std::string& text : ignored) {
+    const std::string name = without_blanks(upper(text));
+    const auto is_it = [&name](const Card& card) {
+      return card.name() == name;
+    };
+    const bool is_keyword =
+        std::ranges::any_of(bulk.left_out, [&name](const LeftOut& own) {
+          return without_blanks(upper(own.name)) == name;
+        });
+    const auto count = std::ranges::count_if(bulk.cards, is_it);
+    if (count == 0 && !is_keyword) {
+      bulk.warnings.push_back(fmt::format(
+          "{} is to be left out, but the deck has no such card", text));
+    } else if (is_read(name, passes)) {
+      std::erase_if(bulk.cards, is_it);
+      bulk.warnings.push_back(
+          fmt::format("{} ({} in all) left out, as asked: the model lacks what "
+                      "it says",
+                      name,
+                      count));
+    }
+  }
+}
 
 UnsupportedCards unsupported_cards(const BulkData& bulk,
                                    const std::vector<CardTable>& passes) {
   std::map<std::string, Unknown> unknown;
   for (const Card& card : bulk.cards) {
-    const bool known =
-        std::any_of(passes.begin(), passes.end(), [&](const CardTable& table) {
-          return table.contains(card.name());
-        });
-    if (known || is_silent(card.name()) || is_default_card(card.name())) {
+    if (is_read(card.name(), passes) || is_silent(card.name()) ||
+        is_default_card(card.name())) {
       continue;
     }
     Unknown& seen = unknown[card.name()];

@@ -31,6 +31,14 @@ struct UnsupportedCards {
 [[nodiscard]] UnsupportedCards unsupported_cards(
     const BulkData& bulk, const std::vector<CardTable>& passes);
 
+/// Takes out cards that are read, too, and says so; and of which name there are
+/// none.
+/// @param ignored names that the user does not want read
+/// @param passes what the readers understand
+void take_out(const std::vector<std::string>& ignored,
+              const std::vector<CardTable>& passes,
+              BulkData& bulk);
+
 /// @param ignored names that the user takes upon himself
 /// @throws InputError for a needed card of another name
 void refuse_needed(const UnsupportedCards& cards,

@@ -25,6 +25,10 @@ namespace {
 constexpr Eigen::Index dense_limit =
     200;  // below this a dense solver is quicker
 
+// Degrees of freedom that have mass, of which a dense solver still takes no
+// more than a minute; there may be fewer modes than these.
+constexpr Eigen::Index most_masses = 4000;
+
 // Below this share of the largest mu = 1 / (lambda - sigma) there is no mass.
 constexpr double least_mu = 1e-14;
 
@@ -225,14 +229,19 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   if (dense) {
     return to_modes(solve_dense(A, M, sigma, count), count);
   }
-  if (const auto dofs = massive(M);
-      static_cast<Eigen::Index>(dofs.size()) <= dense_limit) {
+  const std::vector<Eigen::Index> dofs = massive(M);
+  if (std::ssize(dofs) <= dense_limit) {
     return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
   }
   Eigen::Index basis = std::min(n, 2 * asked + 10);
   for (int attempt = 0; attempt < 4; ++attempt) {
-    const std::optional<Pairs> raw =
-        solve_lanczos(factor, M, sigma, asked, basis, stop);
+    std::optional<Pairs> raw;
+    try {
+      raw = solve_lanczos(factor, M, sigma, asked, basis, stop);
+    } catch (const NothingLeft&) {
+      if (std::ssize(dofs) > most_masses) break;
+      return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
+    }
     if (raw) {
       const Pairs pairs = polish(K, M, raw->phi);
       const std::optional<bool> complete =

@@ -18,6 +18,10 @@ inline InputError out_of_scale() {
           "materials."};
 }
 
+/// Thrown where Lanczos has gone through all that has mass, and goes on with
+/// what is nothing over nothing.
+struct NothingLeft {};
+
 class ShiftInvert {
  public:
   using Scalar = double;
@@ -32,10 +36,11 @@ class ShiftInvert {
   /// Spectra's hook; the factor is made for the shift beforehand.
   void set_shift(double) {}
 
-  /// @throws Stopped
+  /// @throws Stopped, NothingLeft
   void perform_op(const double* x, double* y) const {
     if (stop_.stop_requested()) throw Stopped{};
     const Eigen::Map<const Eigen::VectorXd> in(x, size_);
+    if (!in.allFinite()) throw NothingLeft{};
     Eigen::Map<Eigen::VectorXd> out(y, size_);
     out = factor_.solve(in);
     // Spectra sorts what it is given, and knows no NaN.
@@ -60,6 +65,7 @@ class MassProduct {
 
   void perform_op(const double* x, double* y) const {
     const Eigen::Map<const Eigen::VectorXd> in(x, M_.rows());
+    if (!in.allFinite()) throw NothingLeft{};
     Eigen::Map<Eigen::VectorXd> out(y, M_.rows());
     out = M_ * in;
     if (!out.allFinite()) throw out_of_scale();

@@ -149,5 +149,44 @@ TEST(DirectMatrices, AreAddedWhereTheCaseControlNamesThem) {
   EXPECT_THAT(none.warnings[0], HasSubstr("DMIG KX is left out"));
 }
 
+constexpr const char* two_springs =
+    "BEGIN BULK\nGRID,1,,0.,0.,0.,,23456\nGRID,2,,1.,0.,0.,,23456\n"
+    "CMASS2,5,2.,1,1\nCMASS2,6,2.,2,1\n";
+
+TEST(DirectMatrices, AreTakenTimesAFactor) {
+  const Deck deck = deck_of("K2GG = 2.5*KX\n" + std::string(two_springs) +
+                            "DMIG,KX,0,6,1,0\nDMIG,KX,1,1,,1,1,30.\nENDDATA\n");
+  EXPECT_DOUBLE_EQ(assemble(deck).K.coeff(0, 0), 75.0);
+  for (const std::string& text : deck.warnings) {
+    EXPECT_EQ(text.find("left out"), std::string::npos) << text;
+  }
+}
+
+// Both triangles of a square one, and one whose triangles differ.
+TEST(DirectMatrices, MayBeSquareWhereTheyAreSymmetric) {
+  const auto deck = [](const std::string& other) {
+    return deck_of("K2GG = KX\n" + std::string(two_springs) +
+                   "DMIG,KX,0,1,1,0\nDMIG,KX,1,1,,1,1,30.,,\n,2,1,-20.\n"
+                   "DMIG,KX,2,1,,1,1," +
+                   other + ",,\n,2,1,40.\nENDDATA\n");
+  };
+  const MatrixXd K = assemble(deck("-20.")).K;
+  EXPECT_DOUBLE_EQ(K(0, 0), 30.0);
+  EXPECT_DOUBLE_EQ(K(0, 6), -20.0);
+  EXPECT_DOUBLE_EQ(K(6, 0), -20.0);
+  EXPECT_DOUBLE_EQ(K(6, 6), 40.0);
+  EXPECT_THROW(static_cast<void>(deck("-10.")), InputError);
+}
+
+TEST(DirectMatrices, AreMissedWhereTheCaseControlNamesThem) {
+  try {
+    static_cast<void>(
+        deck_of("K2GG = KX\n" + std::string(two_springs) + "ENDDATA\n"));
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("KX, which no DMIG"));
+  }
+}
+
 }  // namespace
 }  // namespace tapfit::structure

@@ -68,6 +68,11 @@ TEST(DirectMatrix, IsNamedInTheCaseControlOnce) {
   EXPECT_EQ(lines[2], "K2GG = K2GG");
   name_direct_stiffness("K2GG", lines);
   EXPECT_EQ(lines.size(), 5U);
+  // Beside what the deck takes itself.
+  lines[2] = "K2GG = KX";
+  name_direct_stiffness("K2GG", lines);
+  name_direct_stiffness("K2GG", lines);
+  EXPECT_EQ(lines[2], "K2GG = KX,K2GG");
 }
 
 }  // namespace

@@ -146,5 +146,40 @@ TEST(Extract, TakesRowsAndColumns) {
   EXPECT_EQ(part, (Eigen::Matrix2d() << 9, 3, 3, 1).finished());
 }
 
+// More modes asked for than have mass, with more masses than are solved for by
+// themselves: a row of masses on springs with as many massless grids between.
+// Of 2 n springs in a row, held at both ends,
+//
+//   w_k = 2 sqrt(k / 2 m) sin(k pi / 2 (n + 1)),  two springs in line being
+//   half
+TEST(Eigenmodes, EndsWhereNothingHasMassAnyMore) {
+  constexpr Eigen::Index masses = 260;
+  constexpr Eigen::Index n = 2 * masses + 1;
+  std::vector<Eigen::Triplet<double>> k;
+  std::vector<Eigen::Triplet<double>> m;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    k.emplace_back(i, i, 2.0);
+    if (i + 1 < n) {
+      k.emplace_back(i, i + 1, -1.0);
+      k.emplace_back(i + 1, i, -1.0);
+    }
+    if (i % 2 == 1) m.emplace_back(i, i, 1.0);
+  }
+  SparseMatrix K(n, n);
+  SparseMatrix M(n, n);
+  K.setFromTriplets(k.begin(), k.end());
+  M.setFromTriplets(m.begin(), m.end());
+  for (const Eigen::Index count : {200, 240}) {
+    const Eigenmodes modes = eigenmodes(K, M, count);
+    ASSERT_EQ(modes.frequency_hz.size(), count);
+    for (const Eigen::Index mode : {Eigen::Index{0}, count - 1}) {
+      const double w = 2.0 * std::sqrt(0.5) *
+                       std::sin((static_cast<double>(mode) + 1.0) * M_PI /
+                                (2.0 * (masses + 1)));
+      EXPECT_NEAR(modes.frequency_hz(mode) * 2.0 * M_PI, w, 1e-7 * w) << mode;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tapfit::structure
