@@ -36,6 +36,9 @@ double extent_of(const Deck& deck) {
   return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
+// With the block or stand-off that it is fixed on.
+constexpr double highest_sensor_m = 0.05;
+
 PointOnMesh carrier_of(const TestPoint& point,
                        const Vector3d& at,
                        const MeshSurface& surface,
@@ -50,8 +53,10 @@ PointOnMesh carrier_of(const TestPoint& point,
   const auto found = surface.nearest(at);
   const bool grid_alone =
       found && found->part.kind == MeshPart::Kind::Grid && found->size == 0.0;
+  // On a fine mesh a sensor stands higher than an element is wide.
+  const double high = std::min(highest_sensor_m, 0.1 * extent_of(deck));
   const double reach = grid_alone ? 1e-6 * extent_of(deck)
-                       : found    ? found->size
+                       : found    ? std::max(found->size, high)
                                   : 0.0;
   if (found && found->off <= reach) return *found;
   const std::string there =
@@ -65,11 +70,11 @@ PointOnMesh carrier_of(const TestPoint& point,
   }
   throw InputError(
       fmt::format("the point at {} is {:.3g} m from the nearest element ({}), "
-                  "farther than that is wide ({:.3g} m)",
+                  "farther than that is wide or a sensor high ({:.3g} m)",
                   there,
                   found->off,
                   describe(found->part),
-                  found->size),
+                  reach),
       point.place,
       "correct the coordinates: they count in the model's basic axes and unit "
       "of length; a sensor on a stand-off needs the stand-off in the model");

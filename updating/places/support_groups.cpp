@@ -1,6 +1,6 @@
 #include "updating/places/support_groups.hpp"
 
-#include "updating/structure/deck/constraint_axes.hpp"
+#include "updating/places/support_axes.hpp"
 
 #include <string>
 #include <utility>
@@ -27,7 +27,7 @@ std::map<int, std::set<int>> joined_grids(const structure::Deck& deck) {
 
 std::vector<std::vector<int>> support_groups(const structure::Deck& deck) {
   const std::map<int, std::set<int>> near = joined_grids(deck);
-  const std::map<int, std::string> held = structure::constraint_axes(deck).held;
+  const std::map<int, std::string> held = support_axes(deck).axes.held;
   std::set<int> done;
   std::vector<std::vector<int>> groups;
   for (const structure::Grid& grid : deck.grids) {

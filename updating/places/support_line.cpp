@@ -1,8 +1,8 @@
 #include "updating/places/support_line.hpp"
 
+#include "updating/places/support_axes.hpp"
 #include "updating/places/support_face.hpp"
 #include "updating/places/support_groups.hpp"
-#include "updating/structure/deck/constraint_axes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -17,9 +17,13 @@ namespace {
 using structure::ConstraintAxes;
 using structure::Deck;
 
+bool is_in(const std::string& components, int component) {
+  return components.find(static_cast<char>('0' + component)) !=
+         std::string::npos;
+}
+
 bool holds(const ConstraintAxes& axes, int node, int component) {
-  const char digit = static_cast<char>('0' + component);
-  return axes.held_in_basic(node).find(digit) != std::string::npos;
+  return is_in(axes.held_in_basic(node), component);
 }
 
 // Axis (0..2) along which the points lie, or -1.
@@ -183,7 +187,7 @@ SupportLine straight_line(const Deck& deck,
 SupportLine single_line(const Deck& deck,
                         const std::vector<int>& nodes,
                         bool rotation) {
-  const ConstraintAxes held = structure::constraint_axes(deck);
+  const ConstraintAxes held = support_axes(deck).axes;
   if (const int axis = nodes.size() > 1 ? line_axis(deck, nodes) : -1;
       axis >= 0) {
     return straight_line(deck, held, nodes, axis, rotation);
@@ -251,21 +255,11 @@ const std::vector<Freed>& all_freed() {
   return all;
 }
 
-// What is held at every grid keeps the model in its plane, or on its line, and
-// is no support.
-bool holds_everywhere(const Deck& deck, const ConstraintAxes& held, int c) {
-  return std::ranges::all_of(deck.grids, [&](const structure::Grid& grid) {
-    const auto own = held.held.find(grid.id);
-    return own != held.held.end() &&
-           own->second.find(static_cast<char>('0' + c)) != std::string::npos;
-  });
-}
-
 // All that is held in some components, as one part; none where nothing is.
 std::vector<SupportPart> freed_part(const Deck& deck,
                                     const std::vector<int>& nodes,
                                     const std::vector<int>& components) {
-  const ConstraintAxes held = structure::constraint_axes(deck);
+  const ConstraintAxes held = support_axes(deck).axes;
   // All three of a kind are all that is held so, along whatever axes.
   const bool any_axes = components.size() > 1;
   SupportPart part{components.front() > 3 ? SupportMotion::Rotation
@@ -273,16 +267,12 @@ std::vector<SupportPart> freed_part(const Deck& deck,
                    0,
                    {}};
   part.line.length = 1.0;
-  std::vector<int> loose;
-  for (const int c : components) {
-    if (!holds_everywhere(deck, held, c)) loose.push_back(c);
-  }
   const double share = 1.0 / static_cast<double>(nodes.size());
   for (const int node : nodes) {
     const bool turned = held.turned.contains(node);
     const auto own = held.held.find(node);
     if (own == held.held.end() || (turned && !any_axes)) continue;
-    for (const int c : loose) {
+    for (const int c : components) {
       if (own->second.find(static_cast<char>('0' + c)) == std::string::npos) {
         continue;
       }
@@ -313,17 +303,19 @@ std::vector<SupportPart> face_part(const Deck& deck,
                                    const std::vector<int>& nodes) {
   // What two halves of an edge cancel to [m^2].
   constexpr double rounding = 1e-15;
-  const ConstraintAxes held = structure::constraint_axes(deck);
+  const auto [held, everywhere] = support_axes(deck);
   SupportPart part{SupportMotion::Face, 0, support_line(deck, nodes, true)};
   std::vector<SupportDof> face;
   for (const auto& [node, S] : support_face(deck, nodes)) {
     for (int a = 1; a <= 6; ++a) {
-      if (S(a - 1, a - 1) <= 0.0) continue;
+      if (S(a - 1, a - 1) <= 0.0 || is_in(everywhere, a)) continue;
       if (!holds(held, node, a)) return {};
       face.push_back({node, a, S(a - 1, a - 1)});
       for (int b = a + 1; b <= 6; ++b) {
         const double coupled = S(a - 1, b - 1);
-        if (std::abs(coupled) <= rounding * S.diagonal().maxCoeff()) continue;
+        const bool none =
+            std::abs(coupled) <= rounding * S.diagonal().maxCoeff();
+        if (none || is_in(everywhere, b)) continue;
         if (!deck.grid(node).axes.isIdentity()) return {};
         face.push_back({node, a, coupled, 0.0, false, b});
       }

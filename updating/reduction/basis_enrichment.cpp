@@ -3,6 +3,7 @@
 #include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/factor.hpp"
+#include "updating/structure/solve/released_patterns.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
 #include <Eigen/Cholesky>
@@ -101,12 +102,56 @@ MatrixXd answers_to(const HeldBase& base,
   return join(std::move(answers));
 }
 
+// What moves many released degrees of freedom: the inertia of each motion of
+// the base, as far as the band moves it, and forces at the points, each as
+// large as its energy is one.
+structure::ReleasedMotions released_motions(const HeldBase& base,
+                                            const MatrixXd& psi,
+                                            const MatrixXd& Mpsi,
+                                            const MatrixXd& K,
+                                            const std::vector<int>& seen) {
+  constexpr double least = 1e-2;  // of the energy at the band's top
+  const double top = std::pow(2.0 * std::numbers::pi * base.high_hz, 2);
+  const VectorXd energy = base.K.cwiseMax(least * top);
+  const Index motions = base.V.cols();
+  structure::ReleasedMotions result{K, psi.transpose() * Mpsi, {}, top};
+  result.loads.resize(psi.cols(), motions + std::ssize(seen));
+  result.loads.leftCols(motions) =
+      top * Mpsi.topRows(base.V.rows()).transpose() * base.V *
+      shares(base).cwiseQuotient(energy.cwiseSqrt()).asDiagonal();
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    const double flexibility =
+        base.V.row(seen[k]).transpose().cwiseAbs2().cwiseQuotient(energy).sum();
+    result.loads.col(motions + static_cast<Index>(k)) =
+        psi.row(seen[k]).transpose() / std::sqrt(std::max(flexibility, 1e-300));
+  }
+  return result;
+}
+
+std::vector<structure::ReleasedSprings> released_springs(
+    const SparseMatrix& units,
+    const ReleasedSystem& released,
+    const std::vector<ChangeRange>& ranges) {
+  std::vector<structure::ReleasedSprings> springs;
+  for (std::size_t k = 0; k < ranges.size(); ++k) {
+    const SparseMatrix Su = released.scaled[k].S * units;
+    springs.push_back({MatrixXd(SparseMatrix(units.transpose() * Su)),
+                       ranges[k].lower,
+                       ranges[k].upper});
+  }
+  return springs;
+}
+
 }  // namespace
 
 // (K + shift M) psi = 0 where the structure is free to move, so that the
 // stiffness of q is that of unit motions in psi: f' psi.
 MatrixXd constraint_modes(const HeldBase& base,
-                          const ReleasedSystem& released) {
+                          const ReleasedSystem& released,
+                          const std::vector<ChangeRange>& ranges,
+                          const std::vector<int>& seen) {
+  // Fewer are as quick as they are.
+  constexpr Index many = 100;
   const Index n = base.system.dofs();
   const SparseMatrix units = released_units(base, released);
   MatrixXd psi = units;
@@ -114,8 +159,17 @@ MatrixXd constraint_modes(const HeldBase& base,
   const SparseMatrix forces =
       *released.K * units + base.shift * (*released.M * units);
   psi.topRows(n) -= base.answers.to(MatrixXd(forces).topRows(n));
-  const MatrixXd Mpsi = symmetric_product(*released.M, psi);
-  const MatrixXd Q = driven(base, Mpsi, forces.transpose() * psi);
+  MatrixXd Mpsi = symmetric_product(*released.M, psi);
+  MatrixXd K = forces.transpose() * psi;
+  if (!seen.empty() && psi.cols() > many) {
+    const MatrixXd patterns =
+        released_patterns(released_motions(base, psi, Mpsi, K, seen),
+                          released_springs(units, released, ranges));
+    psi = (psi * patterns).eval();
+    Mpsi = (Mpsi * patterns).eval();
+    K = (patterns.transpose() * K * patterns).eval();
+  }
+  const MatrixXd Q = driven(base, Mpsi, K);
   std::vector<MatrixXd> both;
   both.push_back(std::move(psi));
   both.push_back(base.answers.to(Mpsi.topRows(n) * Q));

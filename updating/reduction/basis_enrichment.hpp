@@ -42,9 +42,17 @@ struct HeldBase {
 /// Of what a released system can do and the base cannot. FRFs through a base
 /// with them are good to 2e-7 from rigid springs to soft ones (first order in
 /// inertia; without it 4e-4 to 1.5e-3).
+/// Where many are released, only the patterns that the band moves and the seen
+/// points feel (released_patterns.hpp).
+/// @param ranges of each released.scaled
+/// @param seen degrees of freedom that are acted on or measured; none: any may
+///   be, and all patterns count
 /// @return released.dofs() x columns
-[[nodiscard]] Eigen::MatrixXd constraint_modes(const HeldBase& base,
-                                               const ReleasedSystem& released);
+[[nodiscard]] Eigen::MatrixXd constraint_modes(
+    const HeldBase& base,
+    const ReleasedSystem& released,
+    const std::vector<ChangeRange>& ranges = {},
+    const std::vector<int>& seen = {});
 
 /// Of elements that soften to a share `least` of their stiffness S; costs a
 /// factorisation. FRFs through a base with them are good to 5e-4 down to 4 %

@@ -15,10 +15,19 @@ MatrixXd missing_vectors(const HeldBase& held,
                          const PlainModes& modes,
                          const ReleasedSystem& released,
                          const std::vector<StiffnessChange>& changes,
-                         const std::vector<int>& fresh) {
+                         const std::vector<int>& fresh,
+                         const std::vector<int>& seen) {
   std::vector<MatrixXd> blocks;
   if (!fresh.empty()) blocks.push_back(held.answers.to_points(fresh));
-  if (!changes.empty()) blocks.push_back(constraint_modes(held, released));
+  if (!changes.empty()) {
+    std::vector<ChangeRange> ranges;
+    for (const ScaledStiffness& scaled : released.scaled) {
+      if (seen.empty()) break;
+      ranges.push_back(range_of(
+          released, scaled, changes[scaled.change].kind, modes, held.system));
+    }
+    blocks.push_back(constraint_modes(held, released, ranges, seen));
+  }
   if (!released.held.empty()) {
     blocks.push_back(held_modes(held, released.held));
   }

@@ -16,12 +16,15 @@ namespace tapfit::updating {
 /// @param modes of the structure without the changes
 /// @param released the changes' system
 /// @param fresh points whose answers the base does not hold, ascending
+/// @param seen degrees of freedom that are acted on or measured, see
+///   constraint_modes()
 /// @return columns over the released degrees of freedom
 [[nodiscard]] Eigen::MatrixXd missing_vectors(
     const HeldBase& held,
     const PlainModes& modes,
     const ReleasedSystem& released,
     const std::vector<StiffnessChange>& changes,
-    const std::vector<int>& fresh);
+    const std::vector<int>& fresh,
+    const std::vector<int>& seen);
 
 }  // namespace tapfit::updating

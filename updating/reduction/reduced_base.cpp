@@ -312,7 +312,11 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
                          stiffness,
                          model.shift,
                          model.options.high_hz};
-  return missing_vectors(held, plain_modes(), released, changes, fresh);
+  std::vector<int> seen;
+  if (&span == &lean) {
+    std::ranges::set_union(span.points, fresh, std::back_inserter(seen));
+  }
+  return missing_vectors(held, plain_modes(), released, changes, fresh, seen);
 }
 
 ReducedBase BaseBuilder::Impl::extended(

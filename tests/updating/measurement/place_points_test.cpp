@@ -2,6 +2,7 @@
 #include "updating/measurement/place_points.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/places/between_grids.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -209,9 +210,17 @@ TEST_F(PlacePoints, SaysWhatCarriesAPointAndHowFarItIs) {
   EXPECT_EQ(deck.element_count(), deck_.element_count());
 }
 
+// Of a plate of 1 m with shells of 20 mm.
+TEST_F(PlacePoints, SensorMayStandHigherThanAFineMeshIsWide) {
+  deck_ = structure::plate_deck({}, 50, 50);
+  EXPECT_NEAR(
+      placed(point_at({0.51, 0.47, 0.04})).measuring[0].off, 0.04, 1e-12);
+  refuses(point_at({0.51, 0.47, 0.06}), "a sensor high (0.05 m)");
+}
+
 TEST_F(PlacePoints, WhatHasNoPlaceIsRefused) {
-  // Shells are 30 mm wide.
-  refuses(point_at({0.1, 0.07, 0.031}), "farther than that is wide");
+  // Shells are 30 mm wide, sensors as high as a tenth of the plate at most.
+  refuses(point_at({0.1, 0.07, 0.051}), "farther than that is wide");
   EXPECT_NO_THROW((void)placed(point_at({0.1, 0.07, 0.029})));
   refuses(point_at_grid(99, skew), "no grid 99");
   deck_.shells.clear();
