@@ -2,7 +2,9 @@
 # called as they are behind its folder:
 #
 #   cmake -D PROGRAM=FILE -D FOLDER=NAME -D TIMEOUT=SECONDS -D LIST=FILE
-#         -P list_suites.cmake
+#         -D LONG=REGEX -P list_suites.cmake
+#
+# Suites whose whole name LONG is have the label "long".
 #
 # A process takes longer to start than most tests take, and the tests of one
 # suite share what they make once.
@@ -18,5 +20,8 @@ foreach(suite ${suites})
     "add_test(\"${name}\" \"${PROGRAM}\" \"--gtest_filter=${suite}.*\")\n"
     "set_tests_properties(\"${name}\" PROPERTIES TIMEOUT ${TIMEOUT}\n"
     "  ENVIRONMENT TAPFIT_NO_CACHE=1)\n")
+  if(suite MATCHES "^(${LONG})$")
+    string(APPEND tests "set_tests_properties(\"${name}\" PROPERTIES LABELS long)\n")
+  endif()
 endforeach()
 file(WRITE "${LIST}" "${tests}")

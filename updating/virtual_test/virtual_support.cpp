@@ -1,7 +1,7 @@
 #include "updating/virtual_test/virtual_support.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "updating/structure/deck/constraint_axes.hpp"
+#include "updating/places/support_axes.hpp"
 
 #include <algorithm>
 #include <set>
@@ -14,7 +14,7 @@ namespace {
 constexpr const char* rotations = "456";
 
 std::set<int> held_grids(const structure::Deck& deck) {
-  const structure::ConstraintAxes axes = structure::constraint_axes(deck);
+  const structure::ConstraintAxes axes = support_axes(deck).axes;
   std::set<int> held;
   for (const auto& [grid, components] : axes.held) {
     const bool turns =
