@@ -267,13 +267,10 @@ JointFit Together::finished() && {
   JointFit result{{}, converged_, message_};
   std::vector<Target> targets;
   for (Part& part : parts_) {
+    ModelState state = part.state(theta_);
     Fit fit = std::move(part.test.alone);
     UpdateResult& own = fit.result;
-    VectorXd theta = part.test.offset;
-    for (Index k = 0; k < theta.size(); ++k) {
-      theta(k) += theta_(part.at[static_cast<std::size_t>(k)]);
-    }
-    own.state = unpack(own.state, theta);
+    own.state = std::move(state);
     own.error = error_of(part.target(), part.left.r);
     own.residual = part.left.r;
     own.jacobian = part.left.J;

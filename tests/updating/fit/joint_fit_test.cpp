@@ -27,8 +27,9 @@ class Measured {
  public:
   Measured(unsigned seed,
            const std::vector<EffectInstance>& hidden,
-           double form_allowance = 1.0)
-      : test_(hidden, 0.02, seed) {
+           double form_allowance = 1.0,
+           double noise = 0.02)
+      : test_(hidden, noise, seed) {
     FitProblem problem = test_.fitter().problem();
     problem.form_allowance = form_allowance;
     fitter_.emplace(test_.fitter().with(problem));
@@ -88,7 +89,7 @@ TEST(JointFit, SharesOneNumberBetweenWhatTheTestsSayAlone) {
 // other parameters would make up for.
 TEST(JointFit, EndsWhereTheSumOfTheMisfitsIsLeast) {
   const Measured a(3, {});
-  const Measured b(4, {mass_of(0.05)});
+  const Measured b(4, {mass_of(0.05)}, 1.0, 0.2);
   const JointFit joint = fit_together({a.joint(), b.joint()});
   const auto total = [&](double factor) {
     ModelState of_a = joint.fits[0].result.state;
