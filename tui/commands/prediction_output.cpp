@@ -19,13 +19,6 @@ namespace {
 using updating::PredictedMode;
 using updating::Prediction;
 
-ordered_json estimate_json(const updating::Estimate& estimate) {
-  return {{"value", estimate.value},
-          {"sd", estimate.sd},
-          {"lo95", estimate.lo95},
-          {"hi95", estimate.hi95}};
-}
-
 /// Names and sizes of an effect, as its results have them.
 ordered_json sized_json(const updating::EffectInstance& placed,
                         const effects::TestContext& context) {

@@ -35,6 +35,15 @@ ordered_json placed_json(const char* key,
   return json;
 }
 
+ordered_json estimate_json(const updating::Estimate& estimate) {
+  ordered_json json = {{"value", estimate.value},
+                       {"sd", estimate.sd},
+                       {"lo95", estimate.lo95},
+                       {"hi95", estimate.hi95}};
+  if (!estimate.unit.empty()) json["unit"] = estimate.unit;
+  return json;
+}
+
 ordered_json parameters_json(
     const std::vector<updating::Estimate>& parameters) {
   ordered_json json = ordered_json::object();

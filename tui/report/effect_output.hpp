@@ -22,6 +22,10 @@ namespace tapfit::tui {
     const std::string& effect,
     const updating::Location& where);
 
+/// {"value", "sd", "lo95", "hi95"}, and "unit" where the name has none.
+[[nodiscard]] nlohmann::ordered_json estimate_json(
+    const updating::Estimate& estimate);
+
 /// {"mass_kg": {"value", "sd", "lo95", "hi95"}}
 [[nodiscard]] nlohmann::ordered_json parameters_json(
     const std::vector<updating::Estimate>& parameters);

@@ -15,13 +15,6 @@ using updating::TestsTogether;
 
 namespace {
 
-ordered_json estimate_json(const Estimate& e) {
-  ordered_json json = {
-      {"value", e.value}, {"sd", e.sd}, {"lo95", e.lo95}, {"hi95", e.hi95}};
-  if (!e.unit.empty()) json["unit"] = e.unit;
-  return json;
-}
-
 ordered_json shared_json(const SharedEstimate& shared) {
   ordered_json alone = ordered_json::array();
   for (const auto& e : shared.alone) {

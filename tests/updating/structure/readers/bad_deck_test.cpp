@@ -394,34 +394,5 @@ TEST(BadDeck, MechanismWithoutMassNamesAGrid) {
   EXPECT_THAT(error.where(), HasSubstr("model.bdf"));
 }
 
-// Also a card that is read; and a name that the deck does not have is said.
-TEST(BadDeck, CardsAreLeftOutAsAsked) {
-  const std::string text =
-      grid_cards_text + "CQUAD4,5,1,1,2,3,4\nCONM2,7,1,,2.\nCONM2,8,2,,2.\n";
-  const Deck whole = deck_of(text);
-  const Deck deck =
-      read_deck(write_text("without.bdf", text), {"conm2", "NOSUCH"});
-  EXPECT_EQ(whole.masses.size(), 2U);
-  EXPECT_TRUE(deck.masses.empty());
-  ASSERT_EQ(deck.warnings.size(), 2U);
-  EXPECT_THAT(deck.warnings[0],
-              HasSubstr("CONM2 (2 in all) left out, as asked"));
-  EXPECT_THAT(deck.warnings[1], HasSubstr("no such card"));
-}
-
-// Nastran would solve the model free; without a case control nothing is asked.
-TEST(BadDeck, SetThatTheCaseControlDoesNotChooseIsSaid) {
-  const std::string bulk = "BEGIN BULK\n" + grid_cards_text +
-                           "CQUAD4,5,1,1,2,3,4\nSPC1,9,123,1\nENDDATA\n";
-  const Deck deck = deck_of("SOL 103\nCEND\nMETHOD = 1\n" + bulk);
-  ASSERT_EQ(deck.warnings.size(), 1U);
-  EXPECT_THAT(deck.warnings[0], HasSubstr("chooses no SPC"));
-  EXPECT_THAT(deck.warnings[0], HasSubstr("write SPC = 9"));
-  EXPECT_EQ(deck.constraints.size(), 1U);
-  EXPECT_TRUE(deck_of(bulk).warnings.empty());
-  EXPECT_TRUE(
-      deck_of("SOL 103\nCEND\nMETHOD = 1\nSPC = 9\n" + bulk).warnings.empty());
-}
-
 }  // namespace
 }  // namespace tapfit::structure
