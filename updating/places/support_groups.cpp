@@ -25,9 +25,36 @@ std::map<int, std::set<int>> joined_grids(const structure::Deck& deck) {
   return result;
 }
 
+namespace {
+
+// Those of one solid: a held face is one support.
+void join_solids(const structure::Deck& deck,
+                 std::map<int, std::set<int>>& joined) {
+  for (const structure::Solid& solid : deck.solids) {
+    const std::vector<int> grids = solid.all_grids();
+    for (const int grid : grids) {
+      joined[grid].insert(grids.begin(), grids.end());
+    }
+  }
+}
+
+// Held grids that only lead others hold these, and nothing by themselves.
+std::set<int> only_lead(const structure::Deck& deck,
+                        const std::map<int, std::set<int>>& joined) {
+  std::set<int> alone;
+  for (const structure::RigidElement& e : deck.rigids) {
+    if (!joined.contains(e.independent)) alone.insert(e.independent);
+  }
+  return alone;
+}
+
+}  // namespace
+
 std::vector<std::vector<int>> support_groups(const structure::Deck& deck) {
-  const std::map<int, std::set<int>> near = joined_grids(deck);
-  const std::map<int, std::string> held = support_axes(deck).axes.held;
+  std::map<int, std::set<int>> near = joined_grids(deck);
+  join_solids(deck, near);
+  std::map<int, std::string> held = support_axes(deck).axes.held;
+  for (const int grid : only_lead(deck, near)) held.erase(grid);
   std::set<int> done;
   std::vector<std::vector<int>> groups;
   for (const structure::Grid& grid : deck.grids) {

@@ -13,8 +13,9 @@ namespace tapfit::updating {
 [[nodiscard]] std::map<int, std::set<int>> joined_grids(
     const structure::Deck& deck);
 
-/// Groups of constrained grids that are connected by element edges, each
-/// ascending, in the deck's order.
+/// Groups of held grids that element edges or solids connect, each ascending,
+/// in the deck's order: of a clamp by a rigid element what follows the grid
+/// that is held.
 [[nodiscard]] std::vector<std::vector<int>> support_groups(
     const structure::Deck& deck);
 

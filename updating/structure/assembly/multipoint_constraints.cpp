@@ -51,10 +51,14 @@ class Followed {
   Followed(const Deck& deck, const ConstraintAxes& axes)
       : deck_(&deck), axes_(&axes) {
     for (const RigidElement& e : deck.rigids) {
+      // What follows a held grid is held.
+      if (axes.held_wholly(e.independent)) continue;
       for (const Dependent& d : e.dependents) lead(e, d);
     }
     for (const Relation& e : deck.relations) lead(e);
   }
+
+  [[nodiscard]] bool none() const { return follows_.empty(); }
 
   [[nodiscard]] bool plain(const Grid& grid, std::size_t index) const {
     return !axes_->turned.contains(grid.id) && !follows_.contains(index);
@@ -232,10 +236,8 @@ void add_component(const Eigen::Matrix<double, 6, 1>& direction,
 
 Eigen::SparseMatrix<double> multipoint_constraints(const Deck& deck,
                                                    const ConstraintAxes& axes) {
-  if (deck.rigids.empty() && deck.relations.empty() && axes.turned.empty()) {
-    return {};
-  }
   Followed followed(deck, axes);
+  if (followed.none() && axes.turned.empty()) return {};
   Triplets entries;
   for (std::size_t g = 0; g < deck.grids.size(); ++g) {
     const Grid& grid = deck.grids[g];

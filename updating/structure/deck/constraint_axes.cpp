@@ -9,12 +9,33 @@ const Eigen::Matrix3d& axes_of(const Deck& deck, int grid) {
   return deck.grid(grid).axes;
 }
 
+using Held = std::map<int, std::string>;  // grid -> components
+
+// @return whether that is new
+bool hold(int grid, const std::string& components, Held& held) {
+  std::string& known = held[grid];
+  const std::size_t before = known.size();
+  for (const char digit : components) {
+    if (known.find(digit) == std::string::npos) known += digit;
+  }
+  return known.size() > before;
+}
+
+bool holds_wholly(const Held& held, int grid) {
+  const auto found = held.find(grid);
+  return found != held.end() && found->second.size() == 6;
+}
+
 }  // namespace
 
 std::string ConstraintAxes::held_in_basic(int grid) const {
   const auto found = held.find(grid);
   if (found == held.end() || turned.contains(grid)) return {};
   return found->second;
+}
+
+bool ConstraintAxes::held_wholly(int grid) const {
+  return holds_wholly(held, grid);
 }
 
 std::optional<std::string> along_basic(const std::string& components,
@@ -40,14 +61,25 @@ std::optional<std::string> along_basic(const std::string& components,
   return result;
 }
 
-ConstraintAxes constraint_axes(const Deck& deck) {
-  ConstraintAxes result;
-  for (const Constraint& c : deck.constraints) {
-    std::string& held = result.held[c.grid];
-    for (const char digit : c.components) {
-      if (held.find(digit) == std::string::npos) held += digit;
+std::map<int, std::string> held_by_grid(const Deck& deck) {
+  Held held;
+  for (const Constraint& c : deck.constraints) hold(c.grid, c.components, held);
+  // A rigid element may lead the one that leads the next.
+  for (bool more = !held.empty(); more;) {
+    more = false;
+    for (const RigidElement& e : deck.rigids) {
+      if (!holds_wholly(held, e.independent)) continue;
+      for (const Dependent& d : e.dependents) {
+        if (hold(d.grid, d.components, held)) more = true;
+      }
     }
   }
+  return held;
+}
+
+ConstraintAxes constraint_axes(const Deck& deck) {
+  ConstraintAxes result;
+  result.held = held_by_grid(deck);
   const auto need = [&](int grid, const std::string& components) {
     if (!along_basic(components, axes_of(deck, grid))) {
       result.turned.insert(grid);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <regex>
@@ -41,12 +42,10 @@ std::string along_own_axes(const Deck& deck, const Constraint& held) {
 
 }  // namespace
 
-std::vector<std::string> spc1_lines(const std::string& set,
-                                    const std::string& components,
+std::vector<std::string> list_lines(std::string line,
                                     const std::vector<int>& grids) {
   std::vector<std::string> lines;
-  std::string line = fmt::format("SPC1,{},{}", set, components);
-  std::size_t fields = 2;
+  auto fields = std::ranges::count(line, ',');
   for (const int grid : grids) {
     if (fields == 8) {
       lines.push_back(line);
@@ -58,6 +57,12 @@ std::vector<std::string> spc1_lines(const std::string& set,
   }
   lines.push_back(line);
   return lines;
+}
+
+std::vector<std::string> spc1_lines(const std::string& set,
+                                    const std::string& components,
+                                    const std::vector<int>& grids) {
+  return list_lines(fmt::format("SPC1,{},{}", set, components), grids);
 }
 
 int constraint_set(const Deck& deck) {

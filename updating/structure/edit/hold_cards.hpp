@@ -8,7 +8,13 @@
 
 namespace tapfit::structure {
 
-/// SPC1 of a set for grids in free field, eight fields to a line.
+/// A card in free field with grids behind its first fields, eight fields to a
+/// line.
+/// @param line the card's name and first fields
+[[nodiscard]] std::vector<std::string> list_lines(
+    std::string line, const std::vector<int>& grids);
+
+/// SPC1 of a set for grids.
 [[nodiscard]] std::vector<std::string> spc1_lines(
     const std::string& set,
     const std::string& components,

@@ -4,8 +4,10 @@
 #include "updating/structure/cards/card_reader.hpp"
 #include "updating/structure/edit/hold_cards.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <map>
-#include <set>
 #include <string>
 #include <utility>
 
@@ -29,12 +31,13 @@ std::string left_of(const std::string& components,
   return left;
 }
 
-// Cards that hold these grids, each in its components.
-std::optional<Lines> held_anew(
-    const std::string& set,
-    const std::vector<std::pair<int, std::string>>& held,
-    const Released& released) {
-  std::map<std::string, std::vector<int>> left;
+using HeldGrids = std::vector<std::pair<int, std::string>>;
+using Alike = std::map<std::string, std::vector<int>>;  // components -> grids
+
+// What stays held of these; nothing where all does.
+std::optional<Alike> left_held(const HeldGrids& held,
+                               const Released& released) {
+  Alike left;
   bool changed = false;
   for (const auto& [grid, components] : held) {
     const std::string rest = left_of(components, grid, released);
@@ -42,8 +45,12 @@ std::optional<Lines> held_anew(
     if (!rest.empty()) left[rest].push_back(grid);
   }
   if (!changed) return std::nullopt;
+  return left;
+}
+
+Lines spc1_cards(const std::string& set, const Alike& held) {
   Lines lines;
-  for (const auto& [components, grids] : left) {
+  for (const auto& [components, grids] : held) {
     for (std::string& line : spc1_lines(set, components, grids)) {
       lines.push_back(std::move(line));
     }
@@ -51,9 +58,18 @@ std::optional<Lines> held_anew(
   return lines;
 }
 
+// Cards that hold these grids, each in its components.
+std::optional<Lines> held_anew(const std::string& set,
+                               const HeldGrids& held,
+                               const Released& released) {
+  const std::optional<Alike> left = left_held(held, released);
+  if (!left) return std::nullopt;
+  return spc1_cards(set, *left);
+}
+
 std::optional<Lines> spc(const Card& card, const Released& released) {
   const CardReader read(card);
-  std::vector<std::pair<int, std::string>> held;
+  HeldGrids held;
   for (const std::size_t at : {std::size_t{2}, std::size_t{5}}) {
     if (read.blank(at)) continue;
     held.emplace_back(read.id(at, "G"), read.components(at + 1));
@@ -66,7 +82,7 @@ std::optional<Lines> spc1(const Card& card,
                           const Released& released) {
   const CardReader read(card);
   const std::string components = read.components(2);
-  std::vector<std::pair<int, std::string>> held;
+  HeldGrids held;
   for (std::size_t at = 3; at < read.size(); ++at) {
     if (read.blank(at)) continue;
     if (upper(read.text(at)) != "THRU") {
@@ -96,6 +112,33 @@ std::optional<Lines> grid(const Card& card, const Released& released) {
   return large_field(changed);
 }
 
+// What follows a held grid: one rigid element goes on leading those that are
+// alike, an SPC1 holds the others.
+std::optional<Lines> rigid(const Card& card,
+                           const Deck& deck,
+                           const Released& released) {
+  const int id = CardReader(card).id(1, "EID");
+  const auto e = std::ranges::find(deck.rigids, id, &RigidElement::id);
+  if (e == deck.rigids.end()) return std::nullopt;
+  HeldGrids held;
+  for (const Dependent& d : e->dependents) {
+    held.emplace_back(d.grid, d.components);
+  }
+  std::optional<Alike> left = left_held(held, released);
+  if (!left) return std::nullopt;
+  if (left->empty()) return Lines{};
+  const auto first = left->begin();
+  Lines lines =
+      list_lines(fmt::format("RBE2,{},{},{}", id, e->independent, first->first),
+                 first->second);
+  left->erase(first);
+  for (std::string& line :
+       spc1_cards(std::to_string(constraint_set(deck)), *left)) {
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
 }  // namespace
 
 CardEdit release_constraints(const Deck& deck,
@@ -106,6 +149,9 @@ CardEdit release_constraints(const Deck& deck,
     if (card.name() == "SPC") return spc(card, all);
     if (card.name() == "SPC1") return spc1(card, deck, all);
     if (card.name() == "GRID") return grid(card, all);
+    if (card.name() == "RBE2" || card.name() == "RBAR") {
+      return rigid(card, deck, all);
+    }
     return std::nullopt;
   };
 }

@@ -9,7 +9,8 @@
 namespace tapfit::structure {
 
 /// Writes SPC, SPC1 and GRID cards that hold a released component anew without
-/// it, whatever their set. What they hold besides stays held.
+/// it, whatever their set, and the RBE2 and RBAR by which a held grid holds
+/// others. What they hold besides stays held.
 ///
 /// @param deck that the cards are of
 /// @param released components along the grids' own axes

@@ -1,5 +1,7 @@
 #include "updating/structure/mesh/split_edges.hpp"
 
+#include "updating/structure/deck/constraint_axes.hpp"
+
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
 
@@ -55,9 +57,7 @@ SplitEdges::SplitEdges(const Deck& deck) {
     next_grid_ = std::max(next_grid_, grid.id + 1);
     box.extend(grid.position);
   }
-  for (const Constraint& held : deck.constraints) {
-    held_[held.grid] += held.components;
-  }
+  held_ = held_by_grid(deck);
   const double extent = box.isEmpty() ? 0.0 : box.diagonal().norm();
   for (std::size_t k = 0; k < deck.rigids.size(); ++k) see_rigid(k, extent);
   const auto see = [this](const auto& elements) {

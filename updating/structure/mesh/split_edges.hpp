@@ -75,7 +75,7 @@ class SplitEdges {
   int next_element_ = 1;
   std::map<std::array<int, 2>, int> middles_;
   std::vector<HeldEdge> held_edges_;
-  std::unordered_map<int, Components> held_;
+  std::map<int, Components> held_;
   // Per grid: the rigid elements that it belongs to, and in which components.
   std::unordered_map<int, std::map<std::size_t, Components>> rigid_;
   std::unordered_map<int, Double> doubles_;

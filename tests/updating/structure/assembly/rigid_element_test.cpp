@@ -123,6 +123,28 @@ TEST(RigidElement, WhatLeadsMayFollow) {
   expect_same(modes_of(chain, 5), modes_of(star, 5));
 }
 
+// A cantilever clamped by a grid beside it, and by the one that follows that:
+// the same numbers as one that is held, with nothing left that follows.
+TEST(RigidElement, OfAHeldGridIsAConstraint) {
+  const std::string bar = R"(GRID,1,,0.,0.,0.
+GRID,2,,.5,0.,0.
+GRID,3,,1.,0.,0.
+GRID,4,,-.2,.1,0.
+GRID,5,,-.3,.1,0.
+MAT1,1,2.+11,8.+10,,7800.
+PBAR,1,1,1.-4,3.-9,1.-9,2.-9
+CBAR,1,1,1,2,0.,0.,1.
+CBAR,2,1,2,3,0.,0.,1.
+)";
+  const Deck held = deck_of(bar + "SPC1,1,123456,1,4,5\n");
+  const Deck led =
+      deck_of(bar + "SPC1,1,123456,5\nRBE2,8,4,123456,1\nRBAR,9,5,4,123456\n");
+  const Eigenmodes modes = modes_of(led, 8);
+  expect_same(modes, modes_of(held, 8));
+  EXPECT_GT(modes.frequency_hz(0), 1.0);
+  EXPECT_EQ(assemble(led).T.nonZeros(), 0);
+}
+
 TEST(RigidElement, FewComponentsMakeAHinge) {
   // Clamped at both ends, a pin in the middle: as bars with released ends.
   const std::string beams =

@@ -1,6 +1,7 @@
 #include "updating/structure/edit/release_constraints.hpp"
 
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/structure/deck/constraint_axes.hpp"
 
 namespace tapfit::structure {
 namespace {
@@ -14,11 +15,11 @@ std::string grids() {
   return text;
 }
 
-// What each grid is held in, digits sorted, after cards are read again.
+// What each grid is held in, after cards are read again.
 std::map<int, std::set<char>> held(const Deck& deck) {
   std::map<int, std::set<char>> result;
-  for (const Constraint& c : deck.constraints) {
-    result[c.grid].insert(c.components.begin(), c.components.end());
+  for (const auto& [grid, components] : held_by_grid(deck)) {
+    result[grid].insert(components.begin(), components.end());
   }
   return result;
 }
@@ -50,6 +51,27 @@ TEST(ReleaseConstraints, LeavesEverythingElseHeld) {
 TEST(ReleaseConstraints, TakesPermanentConstraintsOffTheGrid) {
   expect_released("", {{12, "2"}, {12, "6"}});
   expect_released("", {{12, "126"}});
+}
+
+// Grid 1 leads; what it leads is released alike, in part, and wholly.
+TEST(ReleaseConstraints, TakesWhatFollowsAHeldGridOffItsRigidElement) {
+  const std::string clamp =
+      "SPC1,1,123456,1\nRBE2,50,1,123456,2,3,4,5,6\n,7,8\n";
+  const std::vector<Constraint> along = {
+      {2, "4"}, {3, "4"}, {4, "4"}, {5, "4"}, {6, "4"}, {7, "4"}, {8, "4"}};
+  expect_released(clamp, along);
+  expect_released(clamp, {{3, "4"}, {7, "45"}});
+  expect_released(clamp, {{2, "123456"}});
+  expect_released("SPC1,1,123456,1\nRBAR,50,1,2,123456,,,12345\n", {{2, "4"}});
+  expect_released("SPC1,1,123456,1\nRBAR,50,1,2,123456,,,4\n", {{2, "4"}});
+}
+
+TEST(ReleaseConstraints, LeavesOneRigidElementWhereAllAreReleasedAlike) {
+  const Deck deck =
+      deck_of(grids() + "SPC1,1,123456,1\nRBE2,50,1,123456,2,3\n");
+  const auto lines =
+      edit_cards(deck.path, {release_constraints(deck, {{2, "4"}, {3, "4"}})});
+  EXPECT_NE(std::ranges::find(lines, "RBE2,50,1,12356,2,3"), lines.end());
 }
 
 TEST(ReleaseConstraints, LeavesOtherCardsAsWritten) {
