@@ -320,20 +320,23 @@ double Session::base_error(const Progress& progress) {
 const std::vector<Rung>& Session::ladder(const Progress& progress) {
   stages_->prepare_fit(progress);
   if (stages_->ladder.empty()) {
-    stages_->ladder = rungs_of(stages_->stack->fits(), stages_->context());
+    std::vector<Fit> fits = stages_->stack->fits();
+    fits.back() = stages_->current_likeliest();
+    stages_->ladder = rungs_of(fits, stages_->context());
   }
   return stages_->ladder;
 }
 
 std::vector<Estimate> Session::model_parameters(const Progress& progress) {
   stages_->prepare_fit(progress);
-  return all_estimates(
-      stages_->current(), stages_->ground->properties, stages_->context());
+  return all_estimates(stages_->current_likeliest(),
+                       stages_->ground->properties,
+                       stages_->context());
 }
 
 std::vector<ModelForm> Session::model_form(const Progress& progress) {
   stages_->prepare_fit(progress);
-  return updating::model_form(stages_->current(), deck(progress));
+  return updating::model_form(stages_->current_likeliest(), deck(progress));
 }
 
 }  // namespace tapfit::updating

@@ -2,7 +2,9 @@
 
 #include "updating/comparison/compare.hpp"
 #include "updating/comparison/form_share.hpp"
+#include "updating/diagnosis/likeliest_fit.hpp"
 #include "updating/measurement/test_model.hpp"
+#include "updating/residual/independent_data.hpp"
 
 #include <cmath>
 #include <functional>
@@ -80,6 +82,18 @@ DiagnosisCache SessionStages::diagnosis_cache(std::size_t effects) {
           effects};
 }
 
+const Fit& SessionStages::current_likeliest() {
+  const bool fitted = stack->fits().size() > 1;
+  if (choice.is_plain() || !fitted) return current();
+  if (!likeliest) {
+    const Fitter& fitter = *ground->fitter;
+    const double data =
+        independent_data(fitter.target(), current().result.residual);
+    likeliest = likeliest_fit(current(), fitter, {data, ground->floor_noise});
+  }
+  return *likeliest;
+}
+
 Comparison SessionStages::compare_now(const Fit& fit) {
   Comparison c = compare(fit,
                          ground->fitter->target(),
@@ -98,6 +112,7 @@ void SessionStages::drop_current() {
   comparison.reset();
   diagnosis.reset();
   ladder.clear();
+  likeliest.reset();
 }
 
 void SessionStages::drop_from_frfs() {

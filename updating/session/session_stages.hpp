@@ -36,6 +36,7 @@ struct SessionStages {
   std::optional<Comparison> comparison;
   std::optional<Diagnosis> diagnosis;
   std::vector<Rung> ladder;
+  std::optional<Fit> likeliest;
 
   /// The deck, read once. @throws InputError
   const structure::Deck& read_model(const Progress& progress);
@@ -58,6 +59,9 @@ struct SessionStages {
   [[nodiscard]] MeasuredTest measured();
   [[nodiscard]] StackFit stack_fit();
   [[nodiscard]] const Fit& current() const { return stack->fits().back(); }
+  /// The same with the parameters that are likeliest, as a diagnosis tells them
+  /// (likeliest_fit.hpp); as it is where lines or prior were chosen by hand.
+  [[nodiscard]] const Fit& current_likeliest();
   [[nodiscard]] Comparison compare_now(const Fit& fit);
   /// With the first so many effects.
   [[nodiscard]] DiagnosisCache diagnosis_cache(std::size_t effects);
