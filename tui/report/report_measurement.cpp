@@ -315,7 +315,9 @@ DataTable mode_rows(const modal::ModeSet& modes) {
     std::vector<std::string> row{
         fmt::format("{}", k + 1),
         with_sd(mode.frequency_hz, mode.frequency_sd_hz),
-        with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd)};
+        mode.damping_ratio > 0.0
+            ? with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd)
+            : "–"};
     if (shapes) {
       row.push_back(fixed(mode.mpc, 3));
       row.push_back(fixed(mode.mpd_deg, 1));

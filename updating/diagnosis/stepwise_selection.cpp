@@ -114,7 +114,9 @@ bool StepwiseSelection::try_to_add(bool first,
   if (is_explained(stand_.fit.result.error, floor())) return false;
   const Fit& leads = round.hypotheses.front().fit;
   const Worth leader = by_itself(round.hypotheses.front(), rest);
-  if (first) candidates_.front().held_out_error = leader.with_it;
+  if (first && has_other_runs(fitter_->target())) {
+    candidates_.front().held_out_error = leader.with_it;
+  }
   auto [best, itself, together, next] = choose(round, leader, first, rest);
   const Hypothesis& added = round.hypotheses[best];
   if (!together.earned() || !is_told(added.fit)) return false;

@@ -40,7 +40,10 @@ class StepwiseSelection {
   bool settle();
 
   [[nodiscard]] const Fit& current() const { return stand_.fit; }
-  [[nodiscard]] double held_out_error() const { return stand_.held_out; }
+  /// Of the effects so far, on runs left out; 0 where there are none.
+  [[nodiscard]] double held_out_error() const {
+    return has_other_runs(fitter_->target()) ? stand_.held_out : 0.0;
+  }
   /// @param likeliest what is in the model, with the parameters to be told
   [[nodiscard]] std::vector<Rung> ladder(const Fit& likeliest,
                                          const Progress& progress) const {

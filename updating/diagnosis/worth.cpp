@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace tapfit::updating {
 
@@ -14,6 +15,14 @@ const double clear_of_floor = 3.0;
 
 bool Worth::earned() const {
   return gain > very_strong && with_it < share * held_out;
+}
+
+bool has_other_runs(const Target& target) {
+  std::set<std::size_t> runs;
+  for (std::size_t f = 0; f < target.run.size(); ++f) {
+    if (target.use[f] > 0.0) runs.insert(target.run[f]);
+  }
+  return runs.size() > 1;
 }
 
 bool is_told(const Fit& fit) {

@@ -30,6 +30,10 @@ struct Worth {
   [[nodiscard]] bool earned() const;
 };
 
+/// Whether there are runs to leave out: of modes alone, or of one run, what is
+/// told as an error on others is the fit's own.
+[[nodiscard]] bool has_other_runs(const Target& target);
+
 /// Whether a fit's last effect, where it leaves a share of what is there, is
 /// told from leaving all of it: its 95 % interval, as wide as noise, mesh and
 /// form make it, ends before. The evidence takes errors of form and mesh as

@@ -12,9 +12,9 @@
 
 namespace tapfit::effects {
 
-double mass_left(double p) { return std::cbrt(p); }
+double thickness_left(double p) { return std::cbrt(p); }
 
-double mass_left_slope(double p) { return std::cbrt(p) / (3.0 * p); }
+double thickness_left_slope(double p) { return std::cbrt(p) / (3.0 * p); }
 
 std::vector<std::vector<int>> weakened_beside(const Location& where,
                                               const structure::Deck& deck) {
@@ -66,7 +66,7 @@ class StiffnessLoss final : public Effect {
           fmt::join(elements, ", "),
           left,
           updating::takes_mass(where)
-              ? fmt::format(", mass times {:.4g}", mass_left(left))
+              ? fmt::format(", thickness times {:.4g}", thickness_left(left))
               : "");
     };
     std::vector<std::string> lines = {line(where.elements, p.front())};

@@ -123,7 +123,7 @@ std::vector<structure::WeakElements> weak_elements(
       weak.push_back(
           {{groups[k].begin(), groups[k].end()},
            p[k],
-           takes_mass(added.where) ? effects::mass_left(p[k]) : 1.0});
+           takes_mass(added.where) ? effects::thickness_left(p[k]) : 1.0});
     }
   }
   return weak;

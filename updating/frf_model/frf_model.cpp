@@ -56,9 +56,9 @@ double change_of(const StiffnessTerm& term, const ModelState& state) {
   return value_of(term, state) - term.included;
 }
 
-double mass_change_of(const StiffnessTerm& term, const ModelState& state) {
-  return effects::mass_left(value_of(term, state)) -
-         effects::mass_left(term.included);
+double thickness_change_of(const StiffnessTerm& term, const ModelState& state) {
+  return effects::thickness_left(value_of(term, state)) -
+         effects::thickness_left(term.included);
 }
 
 }  // namespace
@@ -253,8 +253,11 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
     for (const StiffnessTerm& term : base_.terms) {
       const MatrixXd slope = term.slope(state.factor, j);
       if (slope.size() > 0) add(change_of(term, state), slope, dK);
+      const MatrixXd of_thickness = term.thickness_slope(state.factor, j);
       const MatrixXd of_mass = term.mass_slope(state.factor, j);
-      if (of_mass.size() > 0) add(mass_change_of(term, state), of_mass, dM);
+      const double thinner = thickness_change_of(term, state);
+      if (of_thickness.size() > 0) add(thinner, of_thickness, dK);
+      if (of_mass.size() > 0) add(thinner, of_mass, dM);
     }
     shared.turning.push_back({turn(dK, dM), j, state.factor[j]});
   }
@@ -263,11 +266,15 @@ void FrfModel::find_turning(ModalState& shared, double largest) const {
     for (const StiffnessTerm& term : base_.terms) {
       if (!is_of(term, placed) || placed.p.empty()) continue;
       const double p = placed.p[term.parameter];
-      MatrixXd dM = term.mass_at(state.factor);
-      if (dM.size() > 0) dM *= effects::mass_left_slope(p);
-      shared.turning.push_back({turn(term.at(state.factor), dM),
-                                shared.first[e] + term.parameter,
-                                p});
+      MatrixXd dK = term.at(state.factor);
+      MatrixXd dM;
+      if (term.is_thinned()) {
+        const double slope = effects::thickness_left_slope(p);
+        dK += slope * term.thickness_at(state.factor);
+        dM = slope * term.mass_at(state.factor);
+      }
+      shared.turning.push_back(
+          {turn(dK, dM), shared.first[e] + term.parameter, p});
     }
   }
   for (const ModalModification& c : shared.changes) {

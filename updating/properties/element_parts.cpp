@@ -1,7 +1,9 @@
 #include "updating/properties/element_parts.hpp"
 
 #include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/deck/bar_thickness.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -30,6 +32,34 @@ Deck cards_of(const Deck& deck) {
   cards.weight_to_mass = deck.weight_to_mass;
   return cards;
 }
+
+// What goes with the thickness itself: the rest made next to nothing, since
+// properties of nothing say nothing of what is uncertain in them.
+Deck of_thickness(Deck cards) {
+  constexpr double nothing = 1e-9;
+  for (auto& [id, p] : cards.shell_properties) {
+    p.bending_ratio *= nothing;
+    p.coupling = 0;
+  }
+  for (auto& [id, p] : cards.bar_properties) {
+    const auto [first, second] = structure::bends_across(p);
+    p.J *= nothing;
+    p.I12 = 0.0;
+    if (first) p.I1 *= nothing;
+    if (second) p.I2 *= nothing;
+  }
+  for (auto& [id, p] : cards.rod_properties) p.J *= nothing;
+  return cards;
+}
+
+// Whether an element has a thickness that its stiffness goes with.
+bool has_thickness(const Deck& cards, const structure::Shell& e) {
+  const structure::ShellProperty& p = cards.shell_properties.at(e.property);
+  return p.plies.empty() && !p.panel;
+}
+bool has_thickness(const Deck&, const structure::Bar&) { return true; }
+bool has_thickness(const Deck&, const structure::Rod&) { return true; }
+bool has_thickness(const Deck&, const structure::Solid&) { return false; }
 
 std::vector<int> grids_of(const structure::Shell& e) { return e.all_grids(); }
 std::vector<int> grids_of(const structure::Solid& e) { return e.all_grids(); }
@@ -73,7 +103,10 @@ class Gathered {
 
 ElementParts::ElementParts(
     const Deck& deck, std::vector<acquisition::UncertainProperty> uncertain)
-    : deck_(&deck), cards_(cards_of(deck)), uncertain_(std::move(uncertain)) {
+    : deck_(&deck),
+      cards_(cards_of(deck)),
+      thickness_cards_(of_thickness(cards_)),
+      uncertain_(std::move(uncertain)) {
   const auto take = [this](const auto& elements) {
     for (std::size_t k = 0; k < elements.size(); ++k) at_[elements[k].id] = k;
   };
@@ -84,15 +117,17 @@ ElementParts::ElementParts(
 }
 
 // As if the element were the whole deck.
-ElementParts::Own ElementParts::work_out(int element) const {
+ElementParts::Own ElementParts::work_out(const Key& key) const {
   Own own;
+  const auto [element, share] = key;
   const auto at = at_.find(element);
   if (at == at_.end()) return own;
-  Deck alone = cards_;
+  const bool whole = share == Share::Whole;
+  Deck alone = whole ? cards_ : thickness_cards_;
   const auto take = [&](const auto& elements, auto& of_one) {
     if (at->second >= elements.size()) return;
     const auto& e = elements[at->second];
-    if (e.id != element) return;
+    if (e.id != key.first || !(whole || has_thickness(alone, e))) return;
     of_one.push_back(e);
     for (const int grid : grids_of(e)) {
       if (alone.has_grid(grid)) continue;
@@ -103,6 +138,7 @@ ElementParts::Own ElementParts::work_out(int element) const {
   take(deck_->bars, alone.bars);
   take(deck_->rods, alone.rods);
   take(deck_->solids, alone.solids);
+  if (alone.grids.empty()) return own;
   for (const structure::Grid& grid : alone.grids) {
     const int first = 6 * static_cast<int>(deck_->grid_index(grid.id));
     for (int c = 0; c < 6; ++c) own.dofs.push_back(first + c);
@@ -114,27 +150,29 @@ ElementParts::Own ElementParts::work_out(int element) const {
   return own;
 }
 
-std::shared_ptr<const ElementParts::Own> ElementParts::own(int element) const {
+std::shared_ptr<const ElementParts::Own> ElementParts::own(
+    const Key& key) const {
   {
     const std::scoped_lock lock(mutex_);
-    const auto known = known_.find(element);
+    const auto known = known_.find(key);
     if (known != known_.end()) return known->second;
   }
-  auto fresh = std::make_shared<const Own>(work_out(element));
+  auto fresh = std::make_shared<const Own>(work_out(key));
   const std::scoped_lock lock(mutex_);
   // Elements of a mesh are much alike.
   if (std::ssize(known_) * entries(fresh->sum) < most_kept) {
-    known_.try_emplace(element, fresh);
+    known_.try_emplace(key, fresh);
   }
   return fresh;
 }
 
-ElementParts::Sum ElementParts::of(const std::set<int>& elements) const {
+ElementParts::Sum ElementParts::sum_of(const std::set<int>& elements,
+                                       Share share) const {
   Gathered K;
   Gathered M;
   std::map<std::vector<int>, std::pair<Gathered, Gathered>> parts;
   for (const int id : elements) {
-    const std::shared_ptr<const Own> e = own(id);
+    const std::shared_ptr<const Own> e = own({id, share});
     K.add(e->sum.K, e->dofs);
     M.add(e->sum.M, e->dofs);
     for (const UncertainPart& part : e->sum.parts) {
@@ -149,6 +187,28 @@ ElementParts::Sum ElementParts::of(const std::set<int>& elements) const {
     sum.parts.push_back({power, of.first.result(n), of.second.result(n)});
   }
   return sum;
+}
+
+ElementParts::ByThickness ElementParts::by_thickness(
+    const std::set<int>& elements) const {
+  Sum whole = sum_of(elements, Share::Whole);
+  Sum own = sum_of(elements, Share::Thickness);
+  ByThickness result;
+  for (UncertainPart& part : whole.parts) {
+    const auto at =
+        std::ranges::find(own.parts, part.power, &UncertainPart::power);
+    SparseMatrix K(part.K.rows(), part.K.cols());
+    if (at != own.parts.end()) K = std::move(at->K);
+    result.cube.parts.push_back(
+        {part.power, part.K - K, SparseMatrix(K.rows(), K.cols())});
+    result.thickness.parts.push_back(
+        {part.power, std::move(K), std::move(part.M)});
+  }
+  result.cube.K = whole.K - own.K;
+  result.cube.M = SparseMatrix(whole.M.rows(), whole.M.cols());
+  result.thickness.K = std::move(own.K);
+  result.thickness.M = std::move(whole.M);
+  return result;
 }
 
 }  // namespace tapfit::updating

@@ -1,6 +1,14 @@
 // What single elements of a deck add to its matrices, as they are and as
 // uncertain properties change them. Each is worked out when it is first asked
 // for, and kept: hypotheses about the same elements are many.
+//
+// An element that is thinned to t / t_0 = c keeps c^3 of what bends it across
+// its thickness or twists it, and c of the rest:
+//
+//   K(c) = K + (c^3 - 1) (K - K_t) + (c - 1) K_t,   M(c) = c M
+//
+// K_t: a shell's membrane; a bar's axial stiffness, and its bending in the
+// plane in which it is stiffer. A laminate or a solid has none.
 #pragma once
 
 #include "updating/properties/uncertain_parts.hpp"
@@ -11,6 +19,7 @@
 #include <memory>
 #include <mutex>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace tapfit::updating {
@@ -26,25 +35,39 @@ class ElementParts {
     structure::SparseMatrix M;         ///< with WTMASS
     std::vector<UncertainPart> parts;  ///< of these elements alone
   };
+  /// What goes with the cube of the thickness, and what with the thickness; as
+  /// many parts of the same powers in both.
+  struct ByThickness {
+    Sum cube;       ///< K - K_t, no mass
+    Sum thickness;  ///< K_t and M
+  };
+
   /// Of shells, bars, rods and solids; ids that are none of these add nothing.
   /// May be asked on several threads.
-  [[nodiscard]] Sum of(const std::set<int>& elements) const;
+  [[nodiscard]] Sum of(const std::set<int>& elements) const {
+    return sum_of(elements, Share::Whole);
+  }
+  [[nodiscard]] ByThickness by_thickness(const std::set<int>& elements) const;
 
  private:
+  enum class Share { Whole, Thickness };  // all of it; K_t alone
+  [[nodiscard]] Sum sum_of(const std::set<int>& elements, Share share) const;
   // Over the degrees of freedom of the element's grids.
   struct Own {
     std::vector<int> dofs;  // of the deck
     Sum sum;
   };
-  [[nodiscard]] std::shared_ptr<const Own> own(int element) const;
-  [[nodiscard]] Own work_out(int element) const;
+  using Key = std::pair<int, Share>;
+  [[nodiscard]] std::shared_ptr<const Own> own(const Key& key) const;
+  [[nodiscard]] Own work_out(const Key& key) const;
 
   const structure::Deck* deck_;
-  structure::Deck cards_;  // its properties and materials
+  structure::Deck cards_;            // its properties and materials
+  structure::Deck thickness_cards_;  // the same, of K_t
   std::vector<acquisition::UncertainProperty> uncertain_;
   std::map<int, std::size_t> at_;  // position among those of its kind
   mutable std::mutex mutex_;
-  mutable std::map<int, std::shared_ptr<const Own>> known_;
+  mutable std::map<Key, std::shared_ptr<const Own>> known_;
 };
 
 }  // namespace tapfit::updating

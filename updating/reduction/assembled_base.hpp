@@ -40,7 +40,7 @@ struct AssembledBase {
   double mass = 0.0;               ///< [kg]
   double shift = 0.0;  ///< K + shift M gives static answers [rad^2/s^2]
   std::optional<ResidualFlexibility> answers;
-  ReleasedSystem plain;  ///< the model with nothing released
+  ReleasedSystem plain;   ///< the model with nothing released
   ElementParts elements;  ///< of the mesh
 };
 

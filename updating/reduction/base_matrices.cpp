@@ -20,9 +20,11 @@ BaseMatrices ReducedBase::at(const std::vector<double>& factor,
     const StiffnessTerm& term = terms[k];
     if (p[k] == term.included) continue;
     sum.K += (p[k] - term.included) * term.at(factor);
-    if (term.N.size() == 0) continue;
-    sum.M += (effects::mass_left(p[k]) - effects::mass_left(term.included)) *
-             term.mass_at(factor);
+    if (!term.is_thinned()) continue;
+    const double c =
+        effects::thickness_left(p[k]) - effects::thickness_left(term.included);
+    sum.K += c * term.thickness_at(factor);
+    sum.M += c * term.mass_at(factor);
   }
   return sum;
 }
@@ -43,8 +45,10 @@ void ReducedBase::turn(const MatrixXd& Q) {
   turn_all(M_part);
   for (StiffnessTerm& term : terms) {
     turn_one(term.S);
+    turn_one(term.T);
     turn_one(term.N);
     turn_all(term.S_part);
+    turn_all(term.T_part);
     turn_all(term.N_part);
   }
 }

@@ -1,5 +1,6 @@
 #include "updating/reduction/basis_enrichment.hpp"
 
+#include "updating/effects/stiffness_loss.hpp"
 #include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/factor.hpp"
@@ -179,12 +180,16 @@ MatrixXd constraint_modes(const HeldBase& base,
 // u = V a + (1 - p) (A - (1 - p) S)^-1 S V a: patterns of the elements' own
 // forces are few, and between its two ends the answer to one runs smoothly.
 MatrixXd loss_modes(const HeldBase& base,
-                    const SparseMatrix& S,
-                    const SparseMatrix& N,
+                    const LostMatrices& lost,
                     double least) {
-  std::vector<MatrixXd> forces = {strain_forces(base, S)};
-  if (N.size() > 0) forces.push_back(strain_forces(base, N));
-  return answers_to(base, base.system.K - (1.0 - least) * S, forces);
+  std::vector<MatrixXd> forces = {strain_forces(base, lost.S)};
+  SparseMatrix K = base.system.K - (1.0 - least) * lost.S;
+  if (lost.N.size() > 0) {
+    K -= (1.0 - effects::thickness_left(least)) * lost.T;
+    forces.push_back(strain_forces(base, lost.T));
+    forces.push_back(strain_forces(base, lost.N));
+  }
+  return answers_to(base, K, forces);
 }
 
 MatrixXd added_modes(const HeldBase& base, const SparseMatrix& S, double most) {

@@ -54,14 +54,19 @@ struct HeldBase {
     const std::vector<ChangeRange>& ranges = {},
     const std::vector<int>& seen = {});
 
+/// What elements lose, n x n each: see StiffnessTerm.
+struct LostMatrices {
+  structure::SparseMatrix S;
+  structure::SparseMatrix T;  ///< 0 x 0 where they are not thinned
+  structure::SparseMatrix N;
+};
+
 /// Of elements that soften to a share `least` of their stiffness S; costs a
 /// factorisation. FRFs through a base with them are good to 5e-4 down to 4 %
 /// of the stiffness and 5e-5 at half of it.
-/// @param N mass that the elements lose with it, n x n; 0 x 0: none
-/// @return n x columns; those of S orthonormal in M, and those of N
+/// @return n x columns; those of S orthonormal in M, then those of T and of N
 [[nodiscard]] Eigen::MatrixXd loss_modes(const HeldBase& base,
-                                         const structure::SparseMatrix& S,
-                                         const structure::SparseMatrix& N,
+                                         const LostMatrices& lost,
                                          double least);
 
 /// Of a stiffness S that is added, of one sign, up to `most` times; costs a

@@ -82,12 +82,16 @@ ReducedBase extended_base(const MatrixXd& V,
     StiffnessTerm& term = base.terms.emplace_back();
     term.parameter = scaled.parameter;
     term.S = through(scaled.S);
-    const bool loses_mass = scaled.N.size() > 0;
-    if (loses_mass) term.N = through(scaled.N);
     for (const UncertainPart& part : scaled.parts) {
       term.part_power.push_back(part.power);
       term.S_part.push_back(through(part.K));
-      if (loses_mass) term.N_part.push_back(through(part.M));
+    }
+    if (!scaled.is_thinned()) continue;
+    term.T = through(scaled.thickness.K);
+    term.N = through(scaled.thickness.M);
+    for (const UncertainPart& part : scaled.thickness.parts) {
+      term.T_part.push_back(through(part.K));
+      term.N_part.push_back(through(part.M));
     }
   }
   if (base.terms.empty()) {

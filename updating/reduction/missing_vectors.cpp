@@ -32,11 +32,13 @@ MatrixXd missing_vectors(const HeldBase& held,
     blocks.push_back(held_modes(held, released.held));
   }
   const Index n = held.system.dofs();
-  const auto add_loss = [&](const SparseMatrix& S, const SparseMatrix& N) {
-    SparseMatrix own_mass;
-    if (N.size() > 0) own_mass = N.topLeftCorner(n, n);
-    blocks.push_back(
-        loss_modes(held, S.topLeftCorner(n, n), own_mass, loss_range.lower));
+  const auto add_loss = [&](const ScaledStiffness& lost) {
+    LostMatrices own{lost.S.topLeftCorner(n, n), {}, {}};
+    if (lost.is_thinned()) {
+      own.T = lost.thickness.K.topLeftCorner(n, n);
+      own.N = lost.thickness.M.topLeftCorner(n, n);
+    }
+    blocks.push_back(loss_modes(held, own, loss_range.lower));
   };
   for (std::size_t c = 0; c < changes.size(); ++c) {
     const ChangeKind kind = changes[c].kind;
@@ -50,15 +52,17 @@ MatrixXd missing_vectors(const HeldBase& held,
       }
       if (kind != ChangeKind::Elements) continue;
       if (all.S.size() == 0) {
-        add_loss(scaled.S, scaled.N);
+        add_loss(scaled);
         all = scaled;
       } else {
         all.S += scaled.S;
-        if (all.N.size() > 0) all.N += scaled.N;
+        if (!all.is_thinned()) continue;
+        all.thickness.K += scaled.thickness.K;
+        all.thickness.M += scaled.thickness.M;
       }
     }
     // With what is lost beside it: in between it runs smoothly.
-    if (!changes[c].beside.empty()) add_loss(all.S, all.N);
+    if (!changes[c].beside.empty()) add_loss(all);
   }
   return join(std::move(blocks));
 }

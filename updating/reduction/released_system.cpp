@@ -239,30 +239,38 @@ void let_go(const std::vector<Triplets>& springs,
   }
 }
 
-// The stiffness of elements, as it is and as properties change it; and their
-// mass where that is lost with it. Those on the side of a joint turn with it.
+// The stiffness of elements, as it is and as properties change it; and what
+// goes with their thickness where they are thinned. Those on the side of a
+// joint turn with it.
 ScaledStiffness stiffness_of(const ElementParts& elements,
                              const std::vector<int>& ids,
                              bool thinned,
                              const std::vector<OpenJoint>& joints) {
   const std::set<int> own(ids.begin(), ids.end());
-  ElementParts::Sum sum = elements.of(own);
-  ScaledStiffness scaled;
-  scaled.S = std::move(sum.K);
-  if (thinned) scaled.N = std::move(sum.M);
-  scaled.parts = std::move(sum.parts);
-  std::erase_if(scaled.parts, [thinned](const UncertainPart& part) {
-    return part.K.nonZeros() == 0 && !(thinned && part.M.nonZeros() > 0);
-  });
+  const auto lost_by = [&](const std::set<int>& of) {
+    return thinned ? elements.by_thickness(of)
+                   : ElementParts::ByThickness{elements.of(of), {}};
+  };
+  ElementParts::ByThickness lost = lost_by(own);
   for (const OpenJoint& joint : joints) {
     std::set<int> both;
     std::ranges::set_intersection(
         own, joint.side, std::inserter(both, both.end()));
-    const ElementParts::Sum turned = elements.of(both);
-    scaled.S = with_joint(scaled.S, turned.K, joint.T);
-    if (thinned) scaled.N = with_joint(scaled.N, turned.M, joint.T);
-    scaled.parts = parts_with_joint(scaled.parts, turned.parts, joint.T);
+    const ElementParts::ByThickness turned = lost_by(both);
+    const auto turn = [&joint](ElementParts::Sum& sum,
+                               const ElementParts::Sum& side) {
+      if (sum.K.size() == 0) return;
+      sum.K = with_joint(sum.K, side.K, joint.T);
+      sum.M = with_joint(sum.M, side.M, joint.T);
+      sum.parts = parts_with_joint(sum.parts, side.parts, joint.T);
+    };
+    turn(lost.cube, turned.cube);
+    turn(lost.thickness, turned.thickness);
   }
+  ScaledStiffness scaled;
+  scaled.S = std::move(lost.cube.K);
+  scaled.parts = std::move(lost.cube.parts);
+  scaled.thickness = std::move(lost.thickness);
   return scaled;
 }
 
@@ -296,7 +304,7 @@ void append_preload(const RefinedDeck& mesh,
   for (SparseMatrix* S : {&unit.along, &unit.side}) {
     if (S->size() == 0) continue;
     S->conservativeResize(released.dofs(), released.dofs());
-    released.scaled.push_back({position, parameter++, std::move(*S), {}, {}});
+    released.scaled.push_back({position, parameter++, std::move(*S)});
   }
 }
 
@@ -354,7 +362,7 @@ ReleasedSystem release(const RefinedDeck& mesh,
     for (std::size_t p = 0; p < springs[k].size(); ++p) {
       SparseMatrix S(released.dofs(), released.dofs());
       S.setFromTriplets(springs[k][p].begin(), springs[k][p].end());
-      released.scaled.push_back({k, p, std::move(S), {}, {}});
+      released.scaled.push_back({k, p, std::move(S)});
     }
   }
   return released;

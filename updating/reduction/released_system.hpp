@@ -28,9 +28,13 @@ struct ScaledStiffness {
   std::size_t change = 0;     ///< position among the changes
   std::size_t parameter = 0;  ///< position among its effect's parameters
   structure::SparseMatrix S;  ///< d K / d p
-  /// What S, and N where there is one, take from properties.
+  /// What S takes from properties; the mass in them does not go with p.
   std::vector<UncertainPart> parts = {};
-  structure::SparseMatrix N = {};  ///< mass that goes with it; 0 x 0: none
+  /// Of elements that are thinned, what goes with their thickness and is not in
+  /// S, with as many parts (see StiffnessTerm: T and N); 0 x 0: none.
+  ElementParts::Sum thickness = {};
+
+  [[nodiscard]] bool is_thinned() const { return thickness.M.size() > 0; }
 };
 
 /// Copies share the matrices: most changes leave them as they are.

@@ -39,6 +39,10 @@ MatrixXd StiffnessTerm::at(const std::vector<double>& factor) const {
   return sum_at(S, S_part, part_power, factor);
 }
 
+MatrixXd StiffnessTerm::thickness_at(const std::vector<double>& factor) const {
+  return sum_at(T, T_part, part_power, factor);
+}
+
 MatrixXd StiffnessTerm::mass_at(const std::vector<double>& factor) const {
   return sum_at(N, N_part, part_power, factor);
 }
@@ -46,6 +50,11 @@ MatrixXd StiffnessTerm::mass_at(const std::vector<double>& factor) const {
 MatrixXd StiffnessTerm::slope(const std::vector<double>& factor,
                               std::size_t j) const {
   return slope_of(S_part, part_power, factor, j);
+}
+
+MatrixXd StiffnessTerm::thickness_slope(const std::vector<double>& factor,
+                                        std::size_t j) const {
+  return slope_of(T_part, part_power, factor, j);
 }
 
 MatrixXd StiffnessTerm::mass_slope(const std::vector<double>& factor,

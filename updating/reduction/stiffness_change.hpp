@@ -44,21 +44,30 @@ struct StiffnessTerm : ChangeRange {
   Eigen::MatrixXd S = {};     ///< r x r, d K / d p at nominal properties
   std::vector<std::vector<int>> part_power = {};
   std::vector<Eigen::MatrixXd> S_part = {};  ///< one per power, r x r
-  /// Of elements that lose mass with their stiffness, N(f): as S and S_part;
-  /// 0 x 0 where they keep it:
-  /// M(p) = M + (mass_left(p) - 1) N, see stiffness_loss.hpp.
+  /// Of elements that are thinned, what goes with their thickness (see
+  /// element_parts.hpp): stiffness T(f), which is not in S, and mass N(f), as S
+  /// and S_part; 0 x 0 where they are not:
+  ///   K(p) = K + (p - 1) S + (c - 1) T,   M(p) = M + (c - 1) N,
+  /// c = thickness_left(p), see stiffness_loss.hpp.
+  Eigen::MatrixXd T = {};
+  std::vector<Eigen::MatrixXd> T_part = {};
   Eigen::MatrixXd N = {};
   std::vector<Eigen::MatrixXd> N_part = {};
 
   /// S(f).
   [[nodiscard]] Eigen::MatrixXd at(const std::vector<double>& factor) const;
-  /// N(f); 0 x 0 where mass is kept.
+  [[nodiscard]] bool is_thinned() const { return N.size() > 0; }
+  /// T(f), N(f); 0 x 0 where the elements are not thinned.
+  [[nodiscard]] Eigen::MatrixXd thickness_at(
+      const std::vector<double>& factor) const;
   [[nodiscard]] Eigen::MatrixXd mass_at(
       const std::vector<double>& factor) const;
   /// d S / d f_j; 0 x 0 where it does not depend on it.
   [[nodiscard]] Eigen::MatrixXd slope(const std::vector<double>& factor,
                                       std::size_t j) const;
-  /// d N / d f_j; 0 x 0 where it does not depend on it.
+  /// d T / d f_j, d N / d f_j; 0 x 0 where it does not depend on it.
+  [[nodiscard]] Eigen::MatrixXd thickness_slope(
+      const std::vector<double>& factor, std::size_t j) const;
   [[nodiscard]] Eigen::MatrixXd mass_slope(const std::vector<double>& factor,
                                            std::size_t j) const;
 };

@@ -124,6 +124,51 @@ TEST(ElementPartsTest, OfSomeElementsAreTheseElementsAlone) {
   }
 }
 
+// Shells, a flat bar and a rod at 0.6 of their thickness, with what is
+// uncertain in them: K = c^3 (K - K_t) + c K_t, M = c M.
+TEST(ElementPartsTest, ThinnedElementsAreThoseOfAThinnerDeck) {
+  Deck deck = stiffened_plate();
+  for (structure::Bar& bar : deck.bars) bar.rotary_inertia = false;
+  const double c = 0.6;
+  Deck thin = deck;
+  thin.shell_properties[1].thickness *= c;
+  structure::BarProperty& bar = thin.bar_properties[2];
+  bar.area *= c;
+  bar.I1 *= c * c * c;
+  bar.I2 *= c;
+  bar.J *= c * c * c;
+  thin.rod_properties[3].area *= c;
+  thin.rod_properties[3].J *= c * c * c;
+  const std::vector<UncertainProperty> uncertain = {
+      {"material", 1, "E"}, {"property", 1, "t"}, {"property", 2, "I1"}};
+  const std::vector<double> factor = {1.2, 0.9, 1.4};
+  for (std::size_t j = 0; j < uncertain.size(); ++j) {
+    scale_property(thin, uncertain[j], factor[j]);
+  }
+  const ElementParts parts(deck, uncertain);
+  for (const std::set<int>& elements :
+       {std::set{3, 4}, std::set{102, 103}, std::set{201}, std::set{4, 103}}) {
+    const auto wanted = [&](int id) { return elements.contains(id); };
+    const auto [cube, thickness] = parts.by_thickness(elements);
+    SparseMatrix K = c * c * c * cube.K + c * thickness.K;
+    SparseMatrix M = c * thickness.M;
+    ASSERT_EQ(cube.parts.size(), thickness.parts.size());
+    for (std::size_t k = 0; k < cube.parts.size(); ++k) {
+      ASSERT_EQ(cube.parts[k].power, thickness.parts[k].power);
+      const double f = part_coefficient(cube.parts[k].power, factor);
+      K += f * (c * c * c * cube.parts[k].K + c * thickness.parts[k].K);
+      M += f * c * thickness.parts[k].M;
+      EXPECT_EQ(cube.parts[k].M.nonZeros(), 0);
+    }
+    const SparseMatrix own_K = structure::assemble_stiffness(thin, wanted);
+    const SparseMatrix own_M = structure::assemble_mass(thin, wanted);
+    // What is made next to nothing is 1e-9 of it.
+    EXPECT_LT(SparseMatrix(K - own_K).norm(), 1e-8 * own_K.norm());
+    // A plate's rotary inertia goes with the cube.
+    EXPECT_LT(SparseMatrix(M - own_M).norm(), 1e-3 * own_M.norm());
+  }
+}
+
 TEST(UncertainPartsTest, RationalPropertiesAreCloseInTheirRange) {
   Deck deck = stiffened_plate();
   deck.shell_properties[1].shear = 1;

@@ -87,7 +87,9 @@ class ExtendedBase : public ::testing::Test {
                                 1,
                                 random_elements(10, 4),
                                 {{{1, 0}, random_elements(10, 4), none}},
-                                random_elements(12, 3)});
+                                {random_elements(11, 5),
+                                 random_elements(12, 3),
+                                 {{{1, 0}, random_elements(9, 4), none}}}});
     const ScaledStiffness& scaled = released_.scaled.front();
     const ReducedBase base = extended();
     expect_seen_through_own_vectors(base);
@@ -99,8 +101,10 @@ class ExtendedBase : public ::testing::Test {
     const StiffnessTerm& term = base.terms.front();
     EXPECT_EQ(term.parameter, 1U);
     EXPECT_LT(off(term.S, W, scaled.S), 1e-12);
-    EXPECT_LT(off(term.N, W, scaled.N), 1e-12);
+    EXPECT_LT(off(term.T, W, scaled.thickness.K), 1e-12);
+    EXPECT_LT(off(term.N, W, scaled.thickness.M), 1e-12);
     EXPECT_LT(off(term.S_part[0], W, scaled.parts[0].K), 1e-12);
+    EXPECT_LT(off(term.T_part[0], W, scaled.thickness.parts[0].K), 1e-12);
     EXPECT_TRUE(term.N_part[0].isZero(0.0));
   }
 

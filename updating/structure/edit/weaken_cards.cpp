@@ -1,6 +1,7 @@
 #include "updating/structure/edit/weaken_cards.hpp"
 
 #include "updating/structure/cards/bulk_numbers.hpp"
+#include "updating/structure/deck/bar_thickness.hpp"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,31 @@ std::string& field(Card& card, std::size_t at) {
   return card.fields[at];
 }
 
+// Fields of a property's card that go with the thickness, and with its cube;
+// none of a card that is not written thinner.
+struct ThicknessFields {
+  std::vector<std::size_t> plain;
+  std::vector<std::size_t> cube;
+};
+
+ThicknessFields thickness_fields(const Deck& deck, int property) {
+  const auto shell = deck.shell_properties.find(property);
+  if (shell != deck.shell_properties.end()) {
+    const ShellProperty& p = shell->second;
+    if (!p.plies.empty() || p.panel) return {};
+    return {{3}, {}};
+  }
+  const auto bar = deck.bar_properties.find(property);
+  const bool is_pbar = bar != deck.bar_properties.end() &&
+                       bar->second.where.find(" PBAR ") != std::string::npos;
+  if (!is_pbar) return {};
+  const auto [first, second] = bends_across(bar->second);
+  ThicknessFields fields{{3}, {6}};
+  (first ? fields.cube : fields.plain).push_back(4);
+  (second ? fields.cube : fields.plain).push_back(5);
+  return fields;
+}
+
 std::set<int> materials_of(const Deck& deck, int property) {
   if (const auto p = deck.shell_properties.find(property);
       p != deck.shell_properties.end()) {
@@ -128,7 +154,13 @@ void WeakenCards::place(const Deck& deck, const WeakElements& weak) {
   for (const auto& [property, elements] : by_property) {
     Copy copy;
     copy.id = next_property_++;
-    copy.materials = copied_materials(materials_of(deck, property), weak);
+    const auto [plain, cube] = thickness_fields(deck, property);
+    if (weak.thickness < 1.0 && !plain.empty()) {
+      for (const std::size_t at : plain) copy.scales[at] = weak.thickness;
+      for (const std::size_t at : cube) copy.scales[at] = weak.factor;
+    } else {
+      copy.materials = copied_materials(materials_of(deck, property), weak);
+    }
     for (const int e : elements) property_of_[e] = copy.id;
     properties_[property].push_back(std::move(copy));
   }
@@ -139,7 +171,11 @@ std::map<int, int> WeakenCards::copied_materials(const std::set<int>& ids,
   std::map<int, int> copied;
   for (const int id : ids) {
     copied[id] = next_material_++;
-    materials_[id].push_back({copied[id], weak.factor, weak.mass, {}});
+    Copy copy;
+    copy.id = copied[id];
+    copy.factor = weak.factor;
+    copy.density = weak.thickness;
+    materials_[id].push_back(std::move(copy));
   }
   return copied;
 }
@@ -156,6 +192,10 @@ std::optional<Card> WeakenCards::moved(const Card& card) const {
 // Copies of a property's or material's card.
 std::vector<Card> WeakenCards::copies(const Card& card) const {
   std::vector<Card> result;
+  const auto multiply = [](Card& copied, std::size_t at, double by) {
+    const auto value = parse_real(field(copied, at));
+    if (value) field(copied, at) = fmt::format("{:.8E}", *value * by);
+  };
   const std::vector<std::size_t> links = links_of(card);
   const auto moduli = modulus_fields.find(card.name());
   if (!links.empty()) {
@@ -169,6 +209,7 @@ std::vector<Card> WeakenCards::copies(const Card& card) const {
         if (!old || !copy.materials.contains(*old)) continue;
         field(other, at) = fmt::format("{}", copy.materials.at(*old));
       }
+      for (const auto& [at, by] : copy.scales) multiply(other, at, by);
       result.push_back(std::move(other));
     }
   } else if (moduli != modulus_fields.end()) {
@@ -177,12 +218,10 @@ std::vector<Card> WeakenCards::copies(const Card& card) const {
     for (const Copy& copy : found->second) {
       Card other = card;
       field(other, 1) = fmt::format("{}", copy.id);
-      const auto multiply = [&other](std::size_t at, double by) {
-        const auto value = parse_real(field(other, at));
-        if (value) field(other, at) = fmt::format("{:.8E}", *value * by);
-      };
-      for (const std::size_t at : moduli->second) multiply(at, copy.factor);
-      multiply(density_field.at(card.name()), copy.mass);
+      for (const std::size_t at : moduli->second) {
+        multiply(other, at, copy.factor);
+      }
+      multiply(other, density_field.at(card.name()), copy.density);
       result.push_back(std::move(other));
     }
   }

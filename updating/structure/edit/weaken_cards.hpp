@@ -1,7 +1,8 @@
 // Elements of a deck on properties and materials of their own, softer than the
 // rest by a factor: copies of the property's card and of the MAT card behind
-// it, with every modulus, and the density where mass is lost, multiplied; the
-// elements' cards name the copy.
+// it, with every modulus multiplied; the elements' cards name the copy.
+// Elements that were thinned have a thinner PSHELL or PBAR on the old material;
+// where that is another card, moduli and density are multiplied.
 #pragma once
 
 #include "updating/structure/deck/deck.hpp"
@@ -16,8 +17,9 @@ namespace tapfit::structure {
 
 struct WeakElements {
   std::set<int> elements;
-  double factor = 1.0;  ///< of their stiffness
-  double mass = 1.0;    ///< factor of their density
+  double factor = 1.0;     ///< of their stiffness
+  double thickness = 1.0;  ///< what is left of it: the cube root of the factor
+                           ///< where they were thinned
 };
 
 class WeakenCards {
@@ -36,9 +38,10 @@ class WeakenCards {
  private:
   struct Copy {
     int id = 0;
-    double factor = 1.0;
-    double mass = 1.0;
-    std::map<int, int> materials;  ///< of a property: old to new
+    double factor = 1.0;  ///< of a material's moduli
+    double density = 1.0;
+    std::map<int, int> materials;          ///< of a property: old to new
+    std::map<std::size_t, double> scales;  ///< of a property: field to factor
   };
   void place(const Deck& deck, const WeakElements& weak);
   [[nodiscard]] std::vector<Card> copies(const Card& card) const;

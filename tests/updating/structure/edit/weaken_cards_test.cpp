@@ -47,6 +47,43 @@ TEST(WeakenCards, GivesElementsAPropertyOfTheirOwn) {
             1e-12 * assemble(deck).M.norm());
 }
 
+// A shell and a PBAR of half the thickness: that of a plate, and I1, J, A of a
+// flat bar; a PBARL's moduli go down instead.
+TEST(WeakenCards, MakesThinnedElementsThinner) {
+  const std::string flat =
+      "PBAR,3,1,2.-5,2.-11,1.-10,6.-11\nCBAR,5,3,3,4,0.,0.,1.\n";
+  const Deck deck = deck_of(model + flat);
+  const double left = 0.5;
+  const double cube = left * left * left;
+  const Deck read = written(deck, {{{2, 3, 5}, cube, left}}, {});
+  Deck thin = deck;
+  ShellProperty& plate = thin.shell_properties[91] =
+      deck.shell_properties.at(1);
+  plate.thickness *= left;
+  BarProperty& bar = thin.bar_properties[93] = deck.bar_properties.at(3);
+  bar.area *= left;
+  bar.I1 *= cube;
+  bar.I2 *= left;
+  bar.J *= cube;
+  Material& soft = thin.materials[94] = deck.materials.at(1);
+  soft.E *= cube;
+  soft.G *= cube;
+  soft.rho *= left;
+  thin.bar_properties[92] = deck.bar_properties.at(2);
+  thin.bar_properties[92].material = 94;
+  for (Shell& e : thin.shells) {
+    if (e.id == 2) e.property = 91;
+  }
+  for (Bar& e : thin.bars) {
+    if (e.id == 3) e.property = 92;
+    if (e.id == 5) e.property = 93;
+  }
+  const SparseMatrix K = assemble(thin).K;
+  const SparseMatrix M = assemble(thin).M;
+  EXPECT_LT((assemble(read).K - K).norm(), 1e-8 * K.norm());
+  EXPECT_LT((assemble(read).M - M).norm(), 1e-8 * M.norm());
+}
+
 TEST(WeakenCards, LeavesADeckWithoutThemAsItIs) {
   const Deck deck = deck_of(model);
   EXPECT_EQ(written(deck, {}, {}).cards, deck.cards);
