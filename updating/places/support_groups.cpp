@@ -2,6 +2,7 @@
 
 #include "updating/places/support_axes.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,17 @@ std::map<int, std::set<int>> joined_grids(const structure::Deck& deck) {
   return result;
 }
 
+bool are_hubs(const structure::Deck& deck, const std::vector<int>& nodes) {
+  std::set<int> leads;
+  for (const structure::RigidElement& e : deck.rigids) {
+    leads.insert(e.independent);
+  }
+  const std::map<int, std::set<int>> joined = joined_grids(deck);
+  return std::ranges::all_of(nodes, [&](int node) {
+    return leads.contains(node) && !joined.contains(node);
+  });
+}
+
 namespace {
 
 // Those of one solid: a held face is one support.
@@ -38,23 +50,12 @@ void join_solids(const structure::Deck& deck,
   }
 }
 
-// Held grids that only lead others hold these, and nothing by themselves.
-std::set<int> only_lead(const structure::Deck& deck,
-                        const std::map<int, std::set<int>>& joined) {
-  std::set<int> alone;
-  for (const structure::RigidElement& e : deck.rigids) {
-    if (!joined.contains(e.independent)) alone.insert(e.independent);
-  }
-  return alone;
-}
-
 }  // namespace
 
 std::vector<std::vector<int>> support_groups(const structure::Deck& deck) {
   std::map<int, std::set<int>> near = joined_grids(deck);
   join_solids(deck, near);
-  std::map<int, std::string> held = support_axes(deck).axes.held;
-  for (const int grid : only_lead(deck, near)) held.erase(grid);
+  const std::map<int, std::string> held = support_axes(deck).axes.held;
   std::set<int> done;
   std::vector<std::vector<int>> groups;
   for (const structure::Grid& grid : deck.grids) {
@@ -81,10 +82,13 @@ std::vector<std::vector<int>> support_choices(const structure::Deck& deck) {
   std::vector<std::vector<int>> choices = support_groups(deck);
   if (choices.size() < 2) return choices;
   std::vector<int> all;
+  std::size_t count = 0;
   for (const std::vector<int>& group : choices) {
+    if (are_hubs(deck, group)) continue;
     all.insert(all.end(), group.begin(), group.end());
+    ++count;
   }
-  choices.push_back(std::move(all));
+  if (count > 1) choices.push_back(std::move(all));
   return choices;
 }
 

@@ -1,9 +1,8 @@
 #include "updating/reduction/released_system.hpp"
 
 #include "updating/effects/preload.hpp"
-#include "updating/places/crack_line.hpp"
 #include "updating/places/held_support.hpp"
-#include "updating/places/joint_line.hpp"
+#include "updating/places/parted_grids.hpp"
 #include "updating/places/support_groups.hpp"
 #include "updating/places/support_line.hpp"
 #include "updating/reduction/massless_dofs.hpp"
@@ -114,57 +113,6 @@ SparseMatrix with_joint(const SparseMatrix& A,
   return whole;
 }
 
-// A motion that elements on one side have besides that of their grid, and how
-// much of what holds it is there.
-struct Parting {
-  int node = 0;
-  Eigen::Matrix<double, 6, 1> motion;  // along basic axes
-  double held = 0.0;
-};
-
-struct Cut {
-  std::vector<Parting> partings;
-  std::vector<int> side;
-};
-
-Parting turns(int node, const Eigen::Vector3d& axis, double held) {
-  Parting parting{node, {}, held};
-  parting.motion << Eigen::Vector3d::Zero(), axis;
-  return parting;
-}
-
-Cut crack_of(const Deck& deck, const Location& where) {
-  CrackLine crack = crack_line(deck, where.nodes);
-  Cut cut{{}, std::move(crack.side)};
-  for (const PartedGrid& grid : crack.grids) {
-    for (const Eigen::Vector3d& axis : grid.axes) {
-      Parting& moves = cut.partings.emplace_back();
-      moves.node = grid.node;
-      moves.motion << axis, Eigen::Vector3d::Zero();
-      moves.held = grid.area;
-    }
-    cut.partings.push_back(turns(grid.node, grid.axes[0], grid.turn));
-    cut.partings.push_back(turns(grid.node, grid.axes[1], grid.turn));
-  }
-  return cut;
-}
-
-Cut cut_of(const RefinedDeck& mesh, const StiffnessChange& change) {
-  const Location& where = change.of.where;
-  if (where.variant == crack) return crack_of(mesh.deck, where);
-  JointLine joint = where.nodes.size() > 1
-                        ? shell_joint(mesh.deck, where.nodes)
-                        : bar_joint(mesh.deck,
-                                    where.nodes.front(),
-                                    mesh.pieces_of(where.elements),
-                                    change.component);
-  Cut cut{{}, std::move(joint.side)};
-  for (const JointGrid& grid : joint.grids) {
-    cut.partings.push_back(turns(grid.node, grid.axis, grid.length));
-  }
-  return cut;
-}
-
 // A part that the side has not is nothing there.
 std::vector<UncertainPart> parts_with_joint(
     const std::vector<UncertainPart>& parts,
@@ -184,42 +132,56 @@ std::vector<UncertainPart> parts_with_joint(
 
 // What turns against the rest at a joint, and how.
 struct OpenJoint {
-  std::set<int> side;
+  std::set<int> side;  // none: all
   SparseMatrix T;
 };
 
-// Cuts a joint open and returns the springs that hold it.
-Triplets cut_joint(const RefinedDeck& mesh,
-                   const ElementParts& elements,
-                   const StiffnessChange& change,
-                   ReleasedSystem& released,
-                   std::vector<OpenJoint>& joints) {
-  const Cut joint = cut_of(mesh, change);
+// What is on a cut's side of it.
+ElementParts::Sum side_of(const Cut& cut,
+                          const std::set<int>& side,
+                          const ElementParts& elements,
+                          const ReleasedSystem& released) {
+  if (!cut.side.empty()) return elements.of(side);
+  return {*released.K, *released.M, *released.parts};
+}
+
+// Lets what parts move by itself; the springs that hold it, one list for each
+// stiffness.
+std::vector<Triplets> cut_open(const Cut& cut,
+                               const Deck& deck,
+                               const ElementParts& elements,
+                               ReleasedSystem& released,
+                               std::vector<OpenJoint>& joints) {
   const Index n = released.dofs();
   Triplets directions;
-  Triplets springs;
-  for (std::size_t k = 0; k < joint.partings.size(); ++k) {
-    const Parting& parting = joint.partings[k];
+  std::vector<Triplets> springs;
+  for (std::size_t k = 0; k < cut.partings.size(); ++k) {
+    const Parting& parting = cut.partings[k];
     const auto column = static_cast<int>(k);
-    for (int c = 0; c < 6; ++c) {
-      if (parting.motion(c) == 0.0) continue;
-      directions.emplace_back(
-          dof_index(mesh.deck, parting.node, 1 + c), column, parting.motion(c));
+    for (const auto& [node, motion] : parting.moves) {
+      for (int c = 0; c < 6; ++c) {
+        if (motion(c) == 0.0) continue;
+        directions.emplace_back(
+            dof_index(deck, node, 1 + c), column, motion(c));
+      }
     }
     const int q = static_cast<int>(n) + column;
-    springs.emplace_back(q, q, parting.held);
+    springs.resize(std::max(springs.size(), parting.part + 1));
+    springs[parting.part].emplace_back(q, q, parting.held);
     released.active.push_back(q);
   }
-  SparseMatrix T(n, static_cast<Index>(joint.partings.size()));
+  SparseMatrix T(n, static_cast<Index>(cut.partings.size()));
   T.setFromTriplets(directions.begin(), directions.end());
-  const std::set<int> side(joint.side.begin(), joint.side.end());
-  const ElementParts::Sum own = elements.of(side);
+  const std::set<int> side(cut.side.begin(), cut.side.end());
+  const ElementParts::Sum own = side_of(cut, side, elements, released);
   released.K = shared(with_joint(*released.K, own.K, T));
   released.M = shared(with_joint(*released.M, own.M, T));
   released.parts = shared(parts_with_joint(*released.parts, own.parts, T));
   std::vector<MassForm> forms = *released.forms;
   for (MassForm& form : forms) {
-    form.M = with_joint(form.M, mass_of(form, mesh.deck, side), T);
+    const SparseMatrix of_side =
+        cut.side.empty() ? form.M : mass_of(form, deck, side);
+    form.M = with_joint(form.M, of_side, T);
   }
   released.forms = shared(std::move(forms));
   joints.push_back({side, std::move(T)});
@@ -253,9 +215,10 @@ ScaledStiffness stiffness_of(const ElementParts& elements,
   };
   ElementParts::ByThickness lost = lost_by(own);
   for (const OpenJoint& joint : joints) {
-    std::set<int> both;
-    std::ranges::set_intersection(
-        own, joint.side, std::inserter(both, both.end()));
+    std::set<int> both = own;
+    if (!joint.side.empty()) {
+      std::erase_if(both, [&](int id) { return !joint.side.contains(id); });
+    }
     const ElementParts::ByThickness turned = lost_by(both);
     const auto turn = [&joint](ElementParts::Sum& sum,
                                const ElementParts::Sum& side) {
@@ -335,16 +298,24 @@ ReleasedSystem release(const RefinedDeck& mesh,
   std::vector<std::vector<Triplets>> springs;
   std::vector<OpenJoint> joints;
   for (const StiffnessChange& change : changes) {
+    const Location& where = change.of.where;
     springs.emplace_back();
-    if (is_held(change.of.where)) {
-      std::ranges::copy(held_dofs(mesh, change.of.where),
+    if (is_held(where)) {
+      std::ranges::copy(held_dofs(mesh, where),
                         std::back_inserter(released.held));
     } else if (change.kind == ChangeKind::Support) {
+      if (are_hubs(mesh.deck, where.nodes)) {
+        const Cut cut = hub_let_go(
+            mesh.deck, support_parts(mesh.deck, where.nodes, where.variant));
+        springs.back() = cut_open(cut, mesh.deck, elements, released, joints);
+        continue;
+      }
       springs.back() = support_springs(mesh.deck, change, pulled);
       let_go(springs.back(), system, released);
     }
     if (change.kind == ChangeKind::Joint) {
-      springs.back() = {cut_joint(mesh, elements, change, released, joints)};
+      const Cut cut = cut_at(mesh, where, change.component);
+      springs.back() = cut_open(cut, mesh.deck, elements, released, joints);
     }
   }
   std::sort(released.held.begin(), released.held.end());

@@ -197,7 +197,8 @@ TEST_F(DeckEffects, SoftSupportOfAHubMovesAllThatFollowsIt) {
       model_of(structure::deck_of(plate_cards(root + "SPC1,1,123456,70\n")));
   EffectInstance soft{&effects::find("soft-support"), {}, {}};
   for (const Location& where : soft.effect->places(held->context)) {
-    if (where.variant == "rotation") soft.where = where;
+    const bool hub = where.nodes == std::vector<int>{70};
+    if (hub && where.variant == "rotation") soft.where = where;
   }
   ASSERT_EQ(soft.where.nodes, std::vector<int>{70});
   soft.p = {1.0};

@@ -34,9 +34,14 @@ TEST(SupportGroups, AreWhatFollowsAHeldGrid) {
   deck.rigids.push_back({2, 900, {{1, "123"}, {12, "12346"}, {23, "123456"}}});
   EXPECT_EQ(support_groups(deck), Groups{});
   deck.constraints.push_back({900, "12345"});
-  EXPECT_EQ(support_groups(deck), Groups{});
+  EXPECT_EQ(support_groups(deck), (Groups{{900}}));
   deck.constraints.push_back({900, "6"});
-  EXPECT_EQ(support_groups(deck), (Groups{{1, 12, 23}, {901}}));
+  EXPECT_EQ(support_groups(deck), (Groups{{1, 12, 23}, {900}, {901}}));
+  EXPECT_TRUE(are_hubs(deck, {900}));
+  EXPECT_FALSE(are_hubs(deck, {901}));
+  EXPECT_FALSE(are_hubs(deck, {1, 900}));
+  EXPECT_EQ(support_choices(deck),
+            (Groups{{1, 12, 23}, {900}, {901}, {1, 12, 23, 901}}));
 }
 
 TEST(SupportGroups, AreWhatSolidsJoin) {
