@@ -215,6 +215,15 @@ TEST_F(OutputsOfATest, OfReportReplacePicturesOnlyWhereThatIsAskedFor) {
   EXPECT_TRUE(holds(read_file(bundle_ / "r-files" / "frf.svg"), "</svg>"));
 }
 
+TEST_F(OutputsOfATest, OfReportAreRefusedUnderAnotherFormatsName) {
+  for (const char* name : {"r.pdf", "r.txt"}) {
+    const ProgramResult refused = run("report", "-o " + in_bundle(name));
+    EXPECT_EQ(refused.exit_status, 1);
+    EXPECT_TRUE(holds(refused.err, "HTML or Markdown")) << refused.err;
+    EXPECT_FALSE(fs::exists(bundle_ / name));
+  }
+}
+
 TEST(Outputs, OfEveryCommandThatWritesCanBeForced) {
   const std::string page = read_file(TAPFIT_SOURCE_DIR "/docs/commands.md");
   EXPECT_TRUE(holds(page, "`--force`"));

@@ -58,6 +58,9 @@ void Program::write(Output what, const std::string& named) {
   const std::filesystem::path to =
       named.empty() ? known_.bundle->folder / usual_name(what)
                     : std::filesystem::path(named);
+  const std::string fault =
+      what == Output::Report ? updating::report_name_fault(to) : "";
+  if (!fault.empty()) return tell(fault + ": name it .html or .md", true);
   const acquisition::OutputRule rule =
       updating::output_rule_of(*known_.bundle, true, {to});
   const std::filesystem::path free = free_for(what, to, rule);

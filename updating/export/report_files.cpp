@@ -1,5 +1,7 @@
 #include "updating/export/report_files.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +10,21 @@
 namespace tapfit::updating {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* ways_to_name =
+    "name it .html, or .md for Markdown with pictures beside it";
+
+}  // namespace
+
+std::string report_name_fault(const fs::path& report) {
+  const std::string ending = report.extension().string();
+  for (const char* known : {"", ".html", ".htm", ".md", ".markdown"}) {
+    if (ending == known) return {};
+  }
+  return fmt::format("a report is HTML or Markdown, not {}", ending);
+}
 
 std::optional<fs::path> pictures_folder(const fs::path& report) {
   const fs::path ending = report.extension();
@@ -38,6 +55,8 @@ fs::path free_report(const acquisition::OutputRule& rule,
 }
 
 void check_report(const acquisition::OutputRule& rule, const fs::path& report) {
+  const std::string fault = report_name_fault(report);
+  if (!fault.empty()) throw InputError(fault, report.string(), ways_to_name);
   const std::string instead =
       fmt::format("give another name, such as {}",
                   free_report(rule, report).filename().string());

@@ -56,6 +56,14 @@ TEST_F(Writing, AsksInTheWidthThatThereIs) {
   EXPECT_TRUE(holds(seen, "is there: y replaces it")) << seen;
 }
 
+TEST_F(Writing, RefusesAReportThatIsNeitherHtmlNorMarkdown) {
+  const std::string seen = played("wait\n:report x.pdf<Enter>\nwait");
+  EXPECT_TRUE(holds(
+      seen, "a report is HTML or Markdown, not .pdf: name it .html or .md"))
+      << seen;
+  EXPECT_FALSE(holds(seen, "written: "));
+}
+
 // The bundle's FRFs are measured.uff, the name that the key writes.
 TEST_F(Writing, GoesBesideAnInput) {
   FakeOptions options;

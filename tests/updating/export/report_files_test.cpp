@@ -35,6 +35,15 @@ TEST_F(ReportFiles, OfMarkdownHaveAFolder) {
   EXPECT_EQ(pictures_folder("a/r.html"), std::nullopt);
 }
 
+TEST_F(ReportFiles, AreNamedAsWhatTheyHold) {
+  for (const char* name : {"r", "r.html", "r.htm", "r.md", "a.b/r.markdown"}) {
+    EXPECT_EQ(report_name_fault(name), "") << name;
+  }
+  EXPECT_EQ(report_name_fault("r.pdf"),
+            "a report is HTML or Markdown, not .pdf");
+  EXPECT_THROW(check_report({}, folder_.path() / "r.txt"), InputError);
+}
+
 TEST_F(ReportFiles, AreWhatIsThere) {
   const fs::path report = folder_.path() / "r.md";
   EXPECT_EQ(report_files(report), std::vector<fs::path>{report});
