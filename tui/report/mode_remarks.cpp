@@ -64,8 +64,9 @@ std::vector<std::string> mode_remarks(const updating::Comparison& c) {
   }
   if (!others.empty()) {
     remarks.push_back(fmt::format(
-        "off though the FRFs agree within the floor: {}. The error is taken "
-        "with added damping, which a single sharp resonance changes little; 4 "
+        "off though the FRFs agree as well as the measurement supports: {}. "
+        "The error is taken with added damping, which a single sharp resonance "
+        "changes little; 4 "
         "shows the curves",
         others));
   }

@@ -2,6 +2,7 @@
 
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
+#include "tui/widgets/bars.hpp"
 #include "updating/comparison/compare.hpp"
 #include "updating/diagnosis/worth.hpp"
 
@@ -22,19 +23,17 @@ std::string rung_words(const ModelResults& model, const Rung& rung) {
 }
 
 /// How the error stands to the floor, as the end of a sentence.
-std::string against_floor(const updating::Comparison& now) {
+std::string beside_floor(const updating::Comparison& now) {
   const std::string floor = percent(now.floor);
   if (now.error <= now.floor) {
     return fmt::format(
         "below what repeatability, mesh and form can resolve ({})", floor);
   }
-  if (now.error <= updating::at_floor * now.floor) {
-    return fmt::format("as far as repeatability, mesh and form allow ({})",
-                       floor);
-  }
-  return fmt::format("{} times what repeatability, mesh and form allow ({})",
-                     number(now.error / now.floor, 2),
-                     floor);
+  const bool near = now.error <= updating::at_floor * now.floor;
+  return fmt::format("{} times what repeatability, mesh and form allow ({}){}",
+                     times_floor(now.error, now.floor),
+                     floor,
+                     near ? ", as good as the measurement supports" : "");
 }
 
 /// What was measured, and is compared.
@@ -54,7 +53,7 @@ std::string without_effects(const ReportData& data) {
         "its {} are off by {}, {}.",
         of,
         percent(now.error),
-        against_floor(now));
+        beside_floor(now));
   }
   const std::string was =
       model.before.error > now.error
@@ -68,7 +67,7 @@ std::string without_effects(const ReportData& data) {
         of,
         percent(now.error),
         was,
-        against_floor(now));
+        beside_floor(now));
   }
   if (model.diagnosis->verdict == updating::nonlinearity) {
     return fmt::format(
@@ -77,7 +76,7 @@ std::string without_effects(const ReportData& data) {
         of,
         percent(now.error),
         was,
-        against_floor(now));
+        beside_floor(now));
   }
   if (now.error <= updating::at_floor * now.floor &&
       updating::hides_errors(now)) {
@@ -96,7 +95,7 @@ std::string without_effects(const ReportData& data) {
         of,
         percent(now.error),
         was,
-        against_floor(now));
+        beside_floor(now));
   }
   return fmt::format(
       "No effect is supported by the data: the model's {} are off by {}{}, "
@@ -104,7 +103,7 @@ std::string without_effects(const ReportData& data) {
       of,
       percent(now.error),
       was,
-      against_floor(now));
+      beside_floor(now));
 }
 
 std::string with_effects(const ReportData& data,
@@ -122,7 +121,7 @@ std::string with_effects(const ReportData& data,
                   data_words(data),
                   percent(model.before.error),
                   percent(model.after.error),
-                  against_floor(model.after));
+                  beside_floor(model.after));
   if (!diagnosed) {
     return fmt::format("With what was added by hand ({}), {}.", what, errors);
   }

@@ -17,9 +17,8 @@ using updating::Candidate;
 std::string verdict_words(const updating::Diagnosis& d) {
   if (d.verdict.empty()) return "no verdict yet";
   if (d.verdict != "none") return "verdict: " + d.verdict;
-  return d.error_base <= near_floor * d.floor
-             ? "nothing significant is missing (error within the floor)"
-             : "nothing significant is missing";
+  return fmt::format("nothing significant is missing (error {})",
+                     against_floor(d.error_base, d.floor));
 }
 
 std::string indistinguishable(const Candidate& c) {

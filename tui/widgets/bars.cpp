@@ -1,6 +1,9 @@
 #include "tui/widgets/bars.hpp"
 
+#include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +26,18 @@ std::string bar(double share, int width, bool ascii) {
     }
   }
   return text;
+}
+
+std::string times_floor(double error, double floor) {
+  const double times = error / floor;
+  return times < 9.95 ? fixed(times, 1) : number(times, times < 99.5 ? 2 : 3);
+}
+
+std::string against_floor(double error, double floor) {
+  if (error <= floor) return "within the floor";
+  if (!(floor > 0.0)) return "not held against a floor";
+  return times_floor(error, floor) + " times the floor" +
+         (error <= near_floor * floor ? ", as good as the data allow" : "");
 }
 
 void draw_error_bar(Screen& screen,

@@ -1,4 +1,4 @@
-// Horizontal bars for shares and errors.
+// Horizontal bars for shares and errors, and how an error stands to its floor.
 #pragma once
 
 #include "tui/screen/screen.hpp"
@@ -14,6 +14,13 @@ inline constexpr double near_floor = 1.3;
 ///
 /// @param share 0..1, clamped; what is not finite counts as 0
 [[nodiscard]] std::string bar(double share, int width, bool ascii);
+
+/// How many times the floor the error is: "1.2", "11", "320".
+[[nodiscard]] std::string times_floor(double error, double floor);
+
+/// "within the floor", "1.2 times the floor, as good as the data allow", "11
+/// times the floor"; "not held against a floor" where there is none.
+[[nodiscard]] std::string against_floor(double error, double floor);
 
 /// The error as a bar along 0..scale with a mark at the floor; green near it.
 void draw_error_bar(

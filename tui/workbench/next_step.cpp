@@ -36,7 +36,6 @@ std::string after_hits(const Snapshot& known) {
       rejected == 1 ? "it" : "them");
 }
 
-/// Of several hits; a single one's is 1 whatever it is worth.
 std::vector<double> mean_coherences(const signal::FrfSet& frfs) {
   std::vector<double> means;
   for (const signal::Frf& frf : frfs.frfs) {
@@ -87,15 +86,11 @@ std::string after_error(const Snapshot& known, const std::string& missing) {
         "a floor of {} hides what is missing: 7 has the warnings",
         percent(c.floor));
   }
-  if (!(c.floor > 0.0) || c.error <= near_floor * c.floor) {
-    return fmt::format("{} is within the floor: 7 reports it",
-                       percent(c.error));
-  }
-  return fmt::format(
-      "{} is {} times the floor: {}",
-      percent(c.error),
-      number(c.error / c.floor, c.error < 100.0 * c.floor ? 2 : 3),
-      missing);
+  const bool near = !(c.floor > 0.0) || c.error <= near_floor * c.floor;
+  return fmt::format("{} is {}: {}",
+                     percent(c.error),
+                     against_floor(c.error, c.floor),
+                     near ? "7 reports it" : missing);
 }
 
 std::string after_diagnosis(const Snapshot& known) {

@@ -103,6 +103,18 @@ TEST(VerdictSentence, SaysThatNothingIsMissing) {
       "Nothing significant is missing from the model"));
 }
 
+TEST(VerdictSentence, SaysHowFarAboveItsFloorAnErrorIs) {
+  ReportData data = data_of_two_effects();
+  data.model->ladder.resize(1);
+  data.model->diagnosis->verdict = "none";
+  data.model->before.error = data.model->after.error = 0.011;
+  data.model->after.floor = 0.0093;
+  EXPECT_EQ(verdict_sentence(data),
+            "Nothing significant is missing from the model: its FRFs are off "
+            "by 1.1 %, 1.2 times what repeatability, mesh and form allow "
+            "(0.93 %), as good as the measurement supports.");
+}
+
 // Below a floor of 160 % everything is, whatever is missing.
 TEST(VerdictSentence, ClaimsNothingBelowAFloorThatHidesErrors) {
   ReportData data = data_of_two_effects();

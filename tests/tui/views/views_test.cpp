@@ -337,6 +337,11 @@ TEST(DiagnoseView, TakesNoCandidates) {
   d.verdict = "none";
   EXPECT_TRUE(holds(diagnose_view({bundle, d, {}, nullptr}, {}, {}),
                     "nothing significant is missing (error within the floor)"));
+  d.error_base = 0.0186;
+  d.floor = 0.0157;
+  EXPECT_TRUE(holds(diagnose_view({bundle, d, {}, nullptr}, {}, {120, 35}),
+                    "nothing significant is missing (error 1.2 times the "
+                    "floor, as good as the data allow)"));
 }
 
 // The rung of what is uncertain in the model is no effect.

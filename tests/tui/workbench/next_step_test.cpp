@@ -53,6 +53,12 @@ TEST(NextStep, IsSaidFromTheStateOfTheWork) {
   known.comparison = shared(c);
   EXPECT_EQ(step_words(5, known),
             "next: 0.36 % is within the floor: 7 reports it");
+  c.error = 0.0186;
+  c.floor = 0.0157;
+  known.comparison = shared(c);
+  EXPECT_EQ(step_words(5, known),
+            "next: 1.9 % is 1.2 times the floor, as good as the data allow: 7 "
+            "reports it");
   c.floor = 1.6;
   known.comparison = shared(c);
   EXPECT_EQ(
