@@ -203,11 +203,11 @@ std::string compare_text(const updating::Comparison& comparison,
                          const std::vector<Dof>& dofs) {
   return fmt::format(
              "Model against measurement: error {}, floor {} "
-             "({})\n  on {}\n",
+             "({})\n  {}\n",
              percent(comparison.error),
              percent(comparison.floor),
              floor_words(comparison),
-             comparison.contour) +
+             on_contour(comparison.contour)) +
          pairs_text(comparison.pairs) + comac_text(comparison, dofs) +
          notes_text(comparison.pair_notes) + bands_text(comparison) +
          worst_frfs_text(comparison, frfs);

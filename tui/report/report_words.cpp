@@ -216,6 +216,11 @@ std::string contour_words(const std::string& contour) {
       number(100.0 * std::strtod(found.str(4).c_str(), nullptr)));
 }
 
+std::string on_contour(const std::string& contour) {
+  const std::string words = contour_words(contour);
+  return words.starts_with("evaluated at ") ? words : "on " + words;
+}
+
 std::string signed_percent_words(double percent) {
   const std::string text = fixed(percent, 2);
   return (percent > 0.0 && text != "0.00" ? "+" : "") + text + " %";

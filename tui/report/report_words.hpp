@@ -53,6 +53,9 @@ struct Quantity {
 /// added damping".
 [[nodiscard]] std::string contour_words(const std::string& contour);
 
+/// The same as the end of a sentence: "on 50 lines" where it is another line.
+[[nodiscard]] std::string on_contour(const std::string& contour);
+
 /// "+1.91 %", "0.00 %".
 [[nodiscard]] std::string signed_percent_words(double percent);
 

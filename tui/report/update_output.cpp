@@ -1,6 +1,7 @@
 #include "tui/report/update_output.hpp"
 
 #include "tui/report/effect_output.hpp"
+#include "tui/report/report_words.hpp"
 #include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
@@ -162,9 +163,9 @@ ordered_json updates_json(const std::vector<UpdateRecord>& records) {
 std::string updates_text(const std::vector<UpdateRecord>& records) {
   if (records.empty()) return {};
   const UpdateRecord& last = records.back();
-  return "\nOn " + last.lines + "\n" + convergence_text(records) +
-         confounded_text(last) + correlation_text(last) + l_curve_text(last) +
-         "\n";
+  return "\n" + capitalised(on_contour(last.lines)) + "\n" +
+         convergence_text(records) + confounded_text(last) +
+         correlation_text(last) + l_curve_text(last) + "\n";
 }
 
 }  // namespace tapfit::tui

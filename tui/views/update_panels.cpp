@@ -1,5 +1,6 @@
 #include "tui/views/update_panels.hpp"
 
+#include "tui/report/report_words.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
@@ -187,11 +188,11 @@ void draw_convergence(Screen& screen,
                       const Rect& rect,
                       const UpdateRecord& record) {
   const std::vector<std::string> words =
-      wrapped(fmt::format("fit with {}: {} steps, {}; on {}",
+      wrapped(fmt::format("fit with {}: {} steps, {}; {}",
                           record.added,
                           record.steps.size(),
                           record.message,
-                          record.lines),
+                          on_contour(record.lines)),
               rect.width - 2,
               2);
   const auto [lines, body] = split_top(rect, static_cast<int>(words.size()));

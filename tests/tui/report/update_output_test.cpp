@@ -54,6 +54,12 @@ TEST(UpdateOutput, TextShowsStepsReasonCorrelationAndCorner) {
             "       1          5  0.1\n"
             "\n");
   EXPECT_EQ(updates_text({}), "");
+  updating::UpdateRecord damped = example();
+  damped.lines =
+      "136 lines from 1 to 55 Hz on s = sigma + j omega, sigma = 0.03 omega "
+      "and at least 0.188 1/s";
+  EXPECT_TRUE(updates_text({damped}).starts_with(
+      "\nEvaluated at 136 frequencies, 1–55 Hz, with 3 % added damping\n"));
 }
 
 TEST(UpdateOutput, JsonHoldsEveryStepForPlotting) {
