@@ -207,16 +207,10 @@ void add_pictures(const ReportData& data, Section& section) {
 Section identified_section(const ReportData& data) {
   const std::vector<IdentifiedRow> rows =
       identified_rows(data.bundle, *data.model);
-  const bool quantities = std::ranges::any_of(
-      rows, [](const IdentifiedRow& row) { return !row.quantity.empty(); });
-  DataTable table{"",
-                  {"<what",
-                   quantities ? "<quantity" : "<",
-                   "value ± s.d.",
-                   "95 %",
-                   "deck or sheet",
-                   "change"},
-                  {}};
+  DataTable table{
+      "",
+      {"<what", "<quantity", "value ± s.d.", "95 %", "deck or sheet", "change"},
+      {}};
   for (const IdentifiedRow& row : rows) {
     table.rows.push_back({row.what,
                           row.quantity,

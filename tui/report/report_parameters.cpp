@@ -7,8 +7,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
@@ -55,6 +58,26 @@ std::string card_words(const structure::Deck& deck,
   return fmt::format("{} {}", card, id);
 }
 
+/// What a field's letter on its card stands for.
+std::string property_words(const std::string& property) {
+  using Pair = std::pair<std::string_view, std::string_view>;
+  static constexpr std::array<Pair, 11> known{{
+      {"E", "Young's modulus"},
+      {"E1", "Young's modulus"},
+      {"E2", "Young's modulus"},
+      {"G12", "shear modulus"},
+      {"nu", "Poisson's ratio"},
+      {"rho", "density"},
+      {"t", "thickness"},
+      {"A", "area"},
+      {"I1", "second moment of area"},
+      {"I2", "second moment of area"},
+      {"J", "torsion constant"},
+  }};
+  const auto found = std::ranges::find(known, property, &Pair::first);
+  return found == known.end() ? property : std::string(found->second);
+}
+
 IdentifiedRow property_row(const acquisition::TestBundle& bundle,
                            const structure::Deck& deck,
                            const Estimate& estimate) {
@@ -69,15 +92,14 @@ IdentifiedRow property_row(const acquisition::TestBundle& bundle,
       IdentifiedRow row = row_of(estimate, law.nominal);
       row.what = fmt::format(
           "{} ({})", uncertain.property, card_words(deck, uncertain));
-      row.quantity.clear();
+      row.quantity = property_words(uncertain.property);
       return row;
     } catch (const InputError&) {
       break;
     }
   }
   IdentifiedRow row = row_of(estimate, std::nullopt);
-  row.what = row.quantity;
-  row.quantity.clear();
+  row.what = std::exchange(row.quantity, "factor");
   return row;
 }
 

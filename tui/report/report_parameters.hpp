@@ -12,7 +12,7 @@ namespace tapfit::tui {
 struct IdentifiedRow {
   std::string what;      ///< "E (MAT1 1)", "mass of the sensors (acc1, acc2)";
                          ///< empty where it is that of the row above
-  std::string quantity;  ///< "mass", empty where `what` says it
+  std::string quantity;  ///< "mass", "Young's modulus"
   std::string value;     ///< with its unit and standard deviation
   std::string interval;  ///< 95 %
   std::string nominal;   ///< of the deck or sheet; "–" where there is none

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <regex>
@@ -64,6 +65,25 @@ Prefix prefix_of(const std::string& unit, double value) {
   return {1.0, written == "1" ? std::string() : written};
 }
 
+/// "7e10", "1.4e+05" and "(7.07 ± 0.02)e10" as "7·10¹⁰", ...
+std::string with_powers(const std::string& text) {
+  static const std::regex power(R"(([\d)])e([+-]?)0*(\d+)\b)");
+  static constexpr std::array<const char*, 10> raised{
+      "⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string typed;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator at(text.begin(), text.end(), power), end; at != end;
+       ++at) {
+    typed.append(rest, (*at)[1].second);
+    typed += (*at)[2] == "-" ? "·10⁻" : "·10";
+    for (const char digit : at->str(3)) {
+      typed += raised.at(static_cast<std::size_t>(digit - '0'));
+    }
+    rest = (*at)[0].second;
+  }
+  return typed.append(rest, text.cend());
+}
+
 std::string unit_of(const updating::Estimate& estimate) {
   return estimate.unit.empty() ? split_unit(estimate.name).unit : estimate.unit;
 }
@@ -78,6 +98,9 @@ std::string plain_name(const std::string& name) {
 }  // namespace
 
 std::string typeset(std::string text) {
+  static const std::regex minus(R"((^|[ (])-(?=\d))");
+  text = std::regex_replace(with_powers(text), minus, "$1−");
+  text = replaced(std::move(text), "`", "");
   text = replaced(std::move(text), "+-", "±");
   text = replaced(std::move(text), " ... ", " … ");
   text = replaced(std::move(text), "m/s^2", "m/s²");
@@ -140,14 +163,20 @@ std::string with_article(const std::string& found) {
 Quantity quantity(const updating::Estimate& estimate) {
   const Prefix prefix = prefix_of(unit_of(estimate), estimate.value);
   const double f = prefix.factor;
-  Quantity found{
-      plain_name(estimate.name),
-      with_sd(f * estimate.value, f * estimate.sd),
-      fmt::format(
-          "{} … {}", number(f * estimate.lo95), number(f * estimate.hi95)),
-      prefix.unit};
   // Wider than the value itself, a deviation says nothing more.
-  if (estimate.sd >= std::abs(estimate.value) && estimate.sd > 0.0) {
+  const bool lost =
+      estimate.sd >= std::abs(estimate.value) && estimate.sd > 0.0;
+  updating::Estimate scaled = estimate;
+  scaled.value *= f;
+  scaled.lo95 *= f;
+  scaled.hi95 *= f;
+  scaled.sd = lost ? (scaled.hi95 - scaled.lo95) / 4.0 : f * estimate.sd;
+  const Spread words = spread(scaled);
+  Quantity found{plain_name(estimate.name),
+                 typeset(words.value),
+                 typeset(words.interval),
+                 prefix.unit};
+  if (lost) {
     found.value = "not determined";
   } else if (estimate.at_bound) {
     found.value += " (at its bound)";
@@ -158,7 +187,7 @@ Quantity quantity(const updating::Estimate& estimate) {
 std::string value_words(const updating::Estimate& like, double value) {
   const Prefix prefix = prefix_of(unit_of(like), like.value);
   return fmt::format("{}{}{}",
-                     number(prefix.factor * value),
+                     typeset(number(prefix.factor * value)),
                      prefix.unit.empty() ? "" : " ",
                      prefix.unit);
 }
@@ -222,7 +251,7 @@ std::string on_contour(const std::string& contour) {
 }
 
 std::string signed_percent_words(double percent) {
-  const std::string text = fixed(percent, 2);
+  const std::string text = typeset(fixed(percent, 2));
   return (percent > 0.0 && text != "0.00" ? "+" : "") + text + " %";
 }
 

@@ -65,8 +65,8 @@ struct Quantity {
 /// "A, B and C".
 [[nodiscard]] std::string enumerated(const std::vector<std::string>& items);
 
-/// Texts of other rooms as they are printed: ± and … in one character, m/s²
-/// with its power.
+/// Texts of other rooms as they are printed: ± and … in one character, a minus
+/// and powers of ten as such, m/s² with its power, no backticks.
 [[nodiscard]] std::string typeset(std::string text);
 
 /// "a pure mass", "a spring", "a dashpot", "an absorber".

@@ -9,8 +9,59 @@
 
 namespace tapfit::tui {
 
+namespace {
+
+/// To so many decimals; fewer than none: to tens, hundreds, ...
+std::string rounded(double value, int decimals) {
+  const double step = std::pow(10.0, -decimals);
+  if (decimals < 0) value = step * std::round(value / step);
+  if (std::abs(value) < 0.5 * step) value = 0.0;  // no "-0.00"
+  return fmt::format("{:.{}f}", value, std::max(decimals, 0));
+}
+
+/// The power of ten of its first digit, once it is rounded to so many.
+int exponent_of(double value, int digits) {
+  if (value == 0.0) return 0;
+  const std::string text =
+      fmt::format("{:.{}e}", std::abs(value), std::max(digits, 1) - 1);
+  return std::stoi(text.substr(text.find('e') + 1));
+}
+
+bool needs_power(int exponent) { return exponent > 5 || exponent < -4; }
+
+/// How numbers that belong together are written.
+struct Notation {
+  int power = 0;  ///< of ten, set behind; 0: plain
+  int decimals = 0;
+
+  [[nodiscard]] std::string of(double value) const {
+    return rounded(value / std::pow(10.0, power), decimals);
+  }
+  [[nodiscard]] std::string joined(double first,
+                                   const char* sign,
+                                   double second) const {
+    const std::string body = of(first) + sign + of(second);
+    return power == 0 ? body : fmt::format("({})e{}", body, power);
+  }
+};
+
+Notation notation(double largest, double deviation, int digits) {
+  const int exponent = exponent_of(largest, 17);
+  const int power = needs_power(exponent) ? exponent : 0;
+  const int place = exponent_of(deviation, digits) - power;
+  return {power, std::min(digits - 1 - place, 9)};
+}
+
+bool has_deviation(double sd) { return std::isfinite(sd) && sd > 0.0; }
+
+}  // namespace
+
 std::string number(double value, int digits) {
   if (!std::isfinite(value)) return "–";
+  const int exponent = exponent_of(value, digits);
+  if (exponent >= digits && !needs_power(exponent)) {
+    return rounded(value, digits - 1 - exponent);
+  }
   return fmt::format("{:.{}g}", value == 0.0 ? 0.0 : value, digits);
 }
 
@@ -50,24 +101,25 @@ std::string effects_text(std::size_t count) {
 
 std::string with_sd(double value, double sd, int digits) {
   if (!std::isfinite(value)) return "–";
-  const bool exact = !std::isfinite(sd) || sd <= 0.0;
-  const double size = std::max(std::abs(value), exact ? 0.0 : sd);
-  if (size == 0.0) return "0";
-  const double exponent = std::floor(std::log10(size));
-  const bool scientific = exponent > 5.0 || exponent < -4.0;
-  const double scale = scientific ? std::pow(10.0, exponent) : 1.0;
-  if (exact && scientific) {
-    return fmt::format(
-        "{}e{}", number(value / scale, 5), static_cast<int>(exponent));
+  if (has_deviation(sd)) {
+    return notation(std::max(std::abs(value), sd), sd, digits)
+        .joined(value, " ± ", sd);
   }
-  if (exact) return number(value, 5);
-  const double place = std::floor(std::log10(sd / scale));
-  const int decimals =
-      static_cast<int>(std::clamp(digits - 1.0 - place, 0.0, 9.0));
-  std::string body = fmt::format(
-      "{:.{}f} ± {:.{}f}", value / scale, decimals, sd / scale, decimals);
-  if (!scientific) return body;
-  return fmt::format("({})e{}", body, static_cast<int>(exponent));
+  const int exponent = exponent_of(value, 5);
+  if (!needs_power(exponent)) return number(value, 5);
+  return fmt::format(
+      "{}e{}", number(value / std::pow(10.0, exponent), 5), exponent);
+}
+
+Spread spread(const updating::Estimate& e) {
+  if (!std::isfinite(e.value) || !has_deviation(e.sd)) {
+    return {with_sd(e.value, e.sd),
+            fmt::format("{} … {}", number(e.lo95), number(e.hi95))};
+  }
+  const auto [low, high] = std::minmax({e.value, -e.value, e.lo95, e.hi95});
+  const Notation alike = notation(std::max({-low, high, e.sd}), e.sd, 2);
+  return {alike.joined(e.value, " ± ", e.sd),
+          alike.joined(e.lo95, " … ", e.hi95)};
 }
 
 NameAndUnit split_unit(std::string_view name) {

@@ -10,7 +10,8 @@
 
 namespace tapfit::tui {
 
-/// `digits` significant digits; "–" for what is no finite number.
+/// `digits` significant digits, plain from 1e-4 up to 1e6: "0.3142", "123500",
+/// "1.235e+06"; "–" for what is no finite number.
 [[nodiscard]] std::string number(double value, int digits = 4);
 
 /// Fixed decimals; "–" for what is no finite number, 1e+12 beyond 1e7.
@@ -30,9 +31,18 @@ namespace tapfit::tui {
 /// "1 effect", "2 effects".
 [[nodiscard]] std::string effects_text(std::size_t count);
 
-/// "2.27100 ± 0.00040": the deviation with two digits (or one), the value to
-/// match. A deviation that is zero or not finite is left away.
+/// "2.27100 ± 0.00040", "119000 ± 12000": the deviation with two digits (or
+/// one), the value to match. A deviation that is zero or not finite is left
+/// away.
 [[nodiscard]] std::string with_sd(double value, double sd, int digits = 2);
+
+/// An estimate's value and its interval, both to the place of the deviation's
+/// second digit, and plain or with a power of ten alike.
+struct Spread {
+  std::string value;     ///< "119000 ± 12000"
+  std::string interval;  ///< "97000 … 146000"
+};
+[[nodiscard]] Spread spread(const updating::Estimate& estimate);
 
 /// "mass_kg" to {"mass", "kg"}; "E:1" to {"E:1", "Pa"}.
 struct NameAndUnit {

@@ -54,7 +54,7 @@ TEST(Quantity, WritesAnInertiaInItsUnit) {
   const Quantity J = quantity({"inertia_kg_m2", 8.9e-7, 3.6e-7, 4e-7, 2e-6});
   EXPECT_EQ(J.name, "inertia");
   EXPECT_EQ(J.value, "0.89 ± 0.36");
-  EXPECT_EQ(J.interval, "0.4 … 2");
+  EXPECT_EQ(J.interval, "0.40 … 2.00");
   EXPECT_EQ(J.unit, "kg·mm²");
 }
 
@@ -63,6 +63,16 @@ TEST(Quantity, SaysWhereTheDataTellNothing) {
   const Quantity mass =
       quantity({"mass_kg", 0.00002, 0.00033, 1.502e-05, 0.7509});
   EXPECT_EQ(mass.value, "not determined");
+  const Quantity density = quantity({"rho:1", 4000.0, 5000.0, 5624.0, 14120.0});
+  EXPECT_EQ(density.interval, "5600 … 14100");
+}
+
+TEST(Quantity, IsSetInPowersOfTen) {
+  const Quantity k =
+      quantity({"stiffness_n_per_m", -7.07e10, 2e8, -7.11e10, -7.03e10});
+  EXPECT_EQ(k.value, "(−7.070 ± 0.020)·10¹⁰");
+  EXPECT_EQ(k.interval, "(−7.110 … −7.030)·10¹⁰");
+  EXPECT_EQ(value_words({"stiffness_n_per_m", 1.0}, 2.5e-6), "2.5·10⁻⁶ N/m");
 }
 
 TEST(Quantity, NamesTheMeshesCorrections) {
@@ -85,6 +95,7 @@ TEST(SignedPercentWords, HaveNoNegativeZero) {
   EXPECT_EQ(signed_percent_words(-0.001), "0.00 %");
   EXPECT_EQ(signed_percent_words(0.001), "0.00 %");
   EXPECT_EQ(signed_percent_words(1.914), "+1.91 %");
+  EXPECT_EQ(signed_percent_words(-1.914), "−1.91 %");
 }
 
 TEST(Enumerated, EndsInAnd) {
@@ -124,6 +135,8 @@ TEST(NextWords, NameBothFormsOfOneEffect) {
 
 TEST(Typeset, WritesSignsInOneCharacter) {
   EXPECT_EQ(typeset("1 +- 2 m/s^2 (1 ... 3)"), "1 ± 2 m/s² (1 … 3)");
+  EXPECT_EQ(typeset("-1 of frame-2, `band_hz` 4-5"),
+            "−1 of frame-2, band_hz 4-5");
 }
 
 }  // namespace

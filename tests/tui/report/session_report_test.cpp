@@ -73,14 +73,19 @@ std::vector<Section> first_page(const Document& document) {
 
 // 66.6 g was the mass before the spring was there.
 TEST(IdentifiedRows, AreOfTheLastModelOnly) {
-  const ReportData data = data_of_two_effects();
+  ReportData data = data_of_two_effects();
+  data.bundle.uncertain = {{"material", 1, "E"}};
+  data.model->deck.materials[1].E = 7.0e10;
+  data.model->deck.shell_properties[1].membrane = 1;
   const auto rows = identified_rows(data.bundle, *data.model);
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].what, "added mass (node 5)");
   EXPECT_EQ(rows[0].quantity, "mass");
   EXPECT_EQ(rows[0].value, "78.50 ± 0.60 g");
-  EXPECT_EQ(rows[0].interval, "77.3 … 79.7 g");
+  EXPECT_EQ(rows[0].interval, "77.30 … 79.70 g");
   EXPECT_EQ(rows[1].value, "412.0 ± 3.0 N/m");
+  EXPECT_EQ(rows[2].what, "E (MAT1 1)");
+  EXPECT_EQ(rows[2].quantity, "Young's modulus");
   EXPECT_FALSE(holds(as_html(report_document(data)), "66.6"));
 }
 

@@ -44,6 +44,33 @@ TEST(Number, GivesTheDeviationTwoDigitsAndTheValueAsMany) {
   EXPECT_EQ(with_sd(0.0, 0.0), "0");
 }
 
+TEST(Number, IsPlainUpToAMillion) {
+  EXPECT_EQ(number(119102.0), "119100");
+  EXPECT_EQ(number(-14120.0), "-14120");
+  EXPECT_EQ(number(97370.0, 2), "97000");
+  EXPECT_EQ(number(999960.0), "1e+06");
+  EXPECT_EQ(number(1234.0), "1234");
+  EXPECT_EQ(number(4.0e-5), "4e-05");
+  EXPECT_EQ(with_sd(119102.0, 12244.0), "119000 ± 12000");
+  EXPECT_EQ(with_sd(50.0, 0.996), "50.0 ± 1.0");
+}
+
+TEST(Number, RoundsAnIntervalAsItsValue) {
+  const auto said = [](double value, double sd, double lo, double hi) {
+    const Spread words = spread({"x", value, sd, lo, hi});
+    return words.value + "; " + words.interval;
+  };
+  EXPECT_EQ(said(119102.0, 12244.0, 97370.0, 145700.0),
+            "119000 ± 12000; 97000 … 146000");
+  EXPECT_EQ(said(395.123, 0.52, 394.1, 396.0),
+            "395.12 ± 0.52; 394.10 … 396.00");
+  EXPECT_EQ(said(68.7, 0.5, 67.68, 69.7), "68.70 ± 0.50; 67.68 … 69.70");
+  EXPECT_EQ(said(7.07e10, 2e8, 7.03e10, 7.11e10),
+            "(7.070 ± 0.020)e10; (7.030 … 7.110)e10");
+  EXPECT_EQ(said(9e5, 1e5, 7e5, 1.1e6), "(0.90 ± 0.10)e6; (0.70 … 1.10)e6");
+  EXPECT_EQ(said(2.5, 0.0, 2.5, 2.5), "2.5; 2.5 … 2.5");
+}
+
 TEST(Number, StaysShortForHugeValues) {
   EXPECT_LE(fixed(1e300, 3).size(), 10U);
   EXPECT_EQ(fixed(-0.0001, 2), "0.00");
