@@ -1,5 +1,6 @@
 #include "tui/report/frf_text.hpp"
 
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
@@ -30,10 +31,14 @@ double mean_coherence(const signal::Frf& frf) {
   return frf.coherence.size() > 0 ? frf.coherence.mean() : 0.0;
 }
 
-// A single hit's is 1 whatever it is worth.
-std::string coherence_text(const signal::Frf& frf) {
-  if (frf.coherence.size() == 0 || frf.hits == 1) return "-";
-  return fmt::format("{:.4f}", mean_coherence(frf));
+// Of ready FRFs hits, scatter and coherence may be unknown.
+std::vector<std::string> row_of(const signal::Frf& frf) {
+  const double sd = median_sd_percent(frf);
+  return {name(frf),
+          fmt::format("{}", frf.run + 1),
+          frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
+          has_coherence(frf) ? fmt::format("{:.4f}", mean_coherence(frf)) : "–",
+          sd > 0.0 ? percent(sd / 100.0) : "–"};
 }
 
 }  // namespace
@@ -85,13 +90,7 @@ std::string frf_text(const signal::FrfSet& frfs, signal::FrfForm form) {
   }
   TextTable table(
       {"<response / reference", "run", "hits", "coherence", "median sd"});
-  for (const auto& frf : frfs.frfs) {
-    table.add({name(frf),
-               fmt::format("{}", frf.run + 1),
-               fmt::format("{}", frf.hits),
-               coherence_text(frf),
-               percent(median_sd_percent(frf) / 100.0)});
-  }
+  for (const auto& frf : frfs.frfs) table.add(row_of(frf));
   text += "\n" + table.text();
   for (const auto& statement : frfs.statements) {
     text += "  note: " + statement + "\n";

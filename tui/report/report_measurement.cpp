@@ -2,6 +2,7 @@
 
 #include "modal/mode_set/mac.hpp"
 #include "modal/poles/cmif.hpp"
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/report/frf_text.hpp"
@@ -112,13 +113,6 @@ std::string at_frf(const std::vector<double>& values,
 
 std::string three_decimals(double value) { return fixed(value, 3); }
 
-/// A single hit's coherence is 1 whatever it is worth; so is that of ready FRFs
-/// whose file has none.
-bool has_coherence(const signal::Frf& frf) {
-  return frf.coherence.size() > 0 && frf.hits != 1 &&
-         (frf.coherence.array() != 1.0).any();
-}
-
 /// Mean and lowest of all FRFs.
 std::optional<Figure> coherence_figure(const signal::FrfSet& frfs) {
   const Eigen::Index lines = frfs.lines();
@@ -126,7 +120,7 @@ std::optional<Figure> coherence_figure(const signal::FrfSet& frfs) {
   Eigen::VectorXd low = Eigen::VectorXd::Ones(lines);
   int count = 0;
   for (const signal::Frf& frf : frfs.frfs) {
-    if (!has_coherence(frf) || frf.coherence.size() != lines) continue;
+    if (!signal::has_coherence(frf) || frf.coherence.size() != lines) continue;
     sum += frf.coherence;
     low = low.cwiseMin(frf.coherence);
     ++count;
@@ -160,7 +154,7 @@ Section frf_section(const ReportData& data) {
     std::vector<std::string> row{
         name(frf),
         frf.hits > 0 ? fmt::format("{}", frf.hits) : "–",
-        has_coherence(frf) ? fixed(frf.coherence.mean(), 4) : "–",
+        signal::has_coherence(frf) ? fixed(frf.coherence.mean(), 4) : "–",
         sd > 0.0 ? percent(sd / 100.0) : "–"};
     if (data.model) {
       const updating::Comparison& before = data.model->before;

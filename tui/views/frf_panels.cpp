@@ -2,6 +2,7 @@
 
 #include "modal/fit/frf_peaks.hpp"
 #include "signal/checks/confidence_band.hpp"
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -72,7 +73,7 @@ Plot strip_plot(const FrfChoice& choice, const FrfState& state) {
     const Frf& frf = choice.frfs.frfs[i];
     if (phase) {
       plot.curves.push_back(phase_curve("", f, frf.H, pen_of(i)));
-    } else if (frf.coherence.size() == f.size()) {
+    } else if (signal::has_coherence(frf)) {
       plot.curves.push_back({"", f, frf.coherence, {}, {}, pen_of(i)});
     }
   }

@@ -1,3 +1,4 @@
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
@@ -34,6 +35,7 @@ std::string band_text(const FrfChoice& choice,
                       int width) {
   const Frf& frf = choice.selected();
   const Eigen::VectorXd f = choice.frfs.frequency_hz();
+  const bool known = signal::has_coherence(frf);
   double power = 0.0;
   double coherence = 0.0;
   Index peak = -1;
@@ -41,7 +43,7 @@ std::string band_text(const FrfChoice& choice,
   for (Index i = 0; i < f.size(); ++i) {
     if (f[i] < from || f[i] > to) continue;
     power += std::norm(frf.H[i]);
-    if (frf.coherence.size() == f.size()) coherence += frf.coherence[i];
+    if (known) coherence += frf.coherence[i];
     if (peak < 0 || std::abs(frf.H[i]) > std::abs(frf.H[peak])) peak = i;
     ++count;
   }
@@ -53,21 +55,23 @@ std::string band_text(const FrfChoice& choice,
   const std::string rms =
       "rms " + size_words(std::sqrt(power / n), choice, scale);
   const std::string peak_hz = fixed(f[peak], 2) + " Hz";
-  const std::string mean = fixed(coherence / n, 4);
+  const auto mean = [&](const char* word) {
+    return known ? fmt::format(", {} {}", word, fixed(coherence / n, 4)) : "";
+  };
   return fitting(
-      {fmt::format("{} (Δ {} Hz): {}, largest at {}, coherence {}",
+      {fmt::format("{} (Δ {} Hz): {}, largest at {}{}",
                    band,
                    width_hz,
                    rms,
                    peak_hz,
-                   mean),
-       fmt::format("{} (Δ {}): {}, peak {}, coh {}",
+                   mean("coherence")),
+       fmt::format("{} (Δ {}): {}, peak {}{}",
                    band,
                    width_hz,
                    rms,
                    peak_hz,
-                   mean),
-       fmt::format("{}: {}, peak {}, coh {}", band, rms, peak_hz, mean)},
+                   mean("coh")),
+       fmt::format("{}: {}, peak {}{}", band, rms, peak_hz, mean("coh"))},
       width);
 }
 
@@ -114,12 +118,14 @@ std::string one_line(const FrfChoice& choice,
                                gap,
                                fixed(phase, 1));
     std::string text = fmt::format("{} Hz{}{}", fixed(hz, 3), gap, value);
-    if (frf.coherence.size() == frfs.lines()) {
+    if (signal::has_coherence(frf)) {
       text +=
           fmt::format("{}{} {}", gap, coherence, fixed(frf.coherence[at], 4));
     }
-    if (frf.variance.size() == frfs.lines()) {
-      const double sd = std::sqrt(std::max(frf.variance[at], 0.0));
+    const double sd = frf.variance.size() == frfs.lines()
+                          ? std::sqrt(std::max(frf.variance[at], 0.0))
+                          : 0.0;
+    if (sd > 0.0) {
       const double size = std::abs(frf.H[at]);
       const bool in_decibels = scale == MagnitudeScale::Decibels && !as_parts;
       text += in_decibels
@@ -143,11 +149,15 @@ std::string frf_read_out(const FrfChoice& choice,
   if (f.size() == 0 || frf.H.size() != f.size()) return "no lines";
   const PlotRange& range = state.range;
   if (!range.cursor_set) {
-    return fmt::format("{} lines, {} to {} Hz, exponential window sigma {} 1/s",
-                       f.size(),
-                       number(f[0]),
-                       number(f[f.size() - 1]),
-                       number(frfs.s[0].real(), 3));
+    const double sigma = frfs.s[0].real();
+    return fmt::format(
+        "{} lines, {} to {} Hz{}",
+        f.size(),
+        number(f[0]),
+        number(f[f.size() - 1]),
+        sigma > 0.0
+            ? fmt::format(", exponential window sigma {} 1/s", number(sigma, 3))
+            : "");
   }
   if (state.mark) {
     return band_text(choice,

@@ -2,6 +2,7 @@
 
 #include "modal/fit/frf_peaks.hpp"
 #include "signal/checks/frf_quality.hpp"
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/number.hpp"
@@ -29,15 +30,14 @@ Table frf_table(const FrfSet& frfs, const std::set<std::size_t>& tagged) {
       signal::frf_quality(frfs, std::nullopt);
   for (std::size_t i = 0; i < frfs.frfs.size(); ++i) {
     const Frf& frf = frfs.frfs[i];
-    const bool known = frf.coherence.size() > 0;
+    const bool known = signal::has_coherence(frf);
+    const double sd = quality[i].median_sd_percent;
     const bool poor = known && quality[i].mean_coherence < 0.9;
-    table.rows.push_back(
-        {{(tagged.contains(i) ? "* " : "") + signal::name(frf),
-          known ? fixed(quality[i].mean_coherence, 3) : "–",
-          frf.variance.size() > 0 ? fixed(quality[i].median_sd_percent, 2)
-                                  : "–",
-          std::to_string(frf.hits)},
-         {.colour = poor ? Colour::Orange : Colour::Default}});
+    table.rows.push_back({{(tagged.contains(i) ? "* " : "") + signal::name(frf),
+                           known ? fixed(quality[i].mean_coherence, 3) : "–",
+                           sd > 0.0 ? fixed(sd, 2) : "–",
+                           frf.hits > 0 ? std::to_string(frf.hits) : "–"},
+                          {.colour = poor ? Colour::Orange : Colour::Default}});
   }
   return table;
 }

@@ -1,5 +1,6 @@
 #include "tui/views/recording_plots.hpp"
 
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -285,10 +286,11 @@ void draw_average(Screen& screen,
                                       input.look->averages[count - 1].size()];
   plot.x = {"f", "Hz", 0.0, 0.0, false};
   plot.y = {"|H|", accelerance_unit, 0.0, 0.0, true};
-  const std::string agreement = fmt::format("{} hit{}, coh {}",
-                                            frf.hits,
-                                            frf.hits == 1 ? "" : "s",
-                                            fixed(frf.coherence.mean(), 4));
+  std::string agreement =
+      fmt::format("{} hit{}", frf.hits, frf.hits == 1 ? "" : "s");
+  if (signal::has_coherence(frf)) {
+    agreement += ", coh " + fixed(frf.coherence.mean(), 4);
+  }
   const std::string unit = fmt::format("{} [{}]  ", plot.y.label, plot.y.unit);
   plot.title = fitting({signal::name(frf) + ": " + agreement, agreement},
                        rect.width - text_width(unit));

@@ -1,5 +1,6 @@
 #include "tui/workbench/next_step.hpp"
 
+#include "signal/frf_set/measured_coherence.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/widgets/bars.hpp"
 #include "updating/comparison/compare.hpp"
@@ -39,9 +40,7 @@ std::string after_hits(const Snapshot& known) {
 std::vector<double> mean_coherences(const signal::FrfSet& frfs) {
   std::vector<double> means;
   for (const signal::Frf& frf : frfs.frfs) {
-    if (frf.hits > 1 && frf.coherence.size() > 0) {
-      means.push_back(frf.coherence.mean());
-    }
+    if (signal::has_coherence(frf)) means.push_back(frf.coherence.mean());
   }
   return means;
 }

@@ -59,10 +59,20 @@ TEST(FrfText, TextShowsNoCoherenceOfASingleHit) {
   set.frfs[0].hits = 1;
   const std::string text = frf_text(set);
   EXPECT_EQ(text.find("1.0000"), std::string::npos) << text;
-  EXPECT_NE(text.find(" - "), std::string::npos) << text;
-  // Ready FRFs say nothing of hits; theirs is as the file gives it.
-  set.frfs[0].hits = 0;
-  EXPECT_NE(frf_text(set).find("1.0000"), std::string::npos) << frf_text(set);
+  EXPECT_NE(text.find(" – "), std::string::npos) << text;
+}
+
+// Of ready FRFs a file may give all of it, or nothing.
+TEST(FrfText, ShowsOfReadyFrfsWhatWasMeasured) {
+  signal::FrfSet set = sample_frfs();
+  signal::Frf& frf = set.frfs[0];
+  frf.hits = 0;
+  EXPECT_NE(frf_text(set).find("–     0.9000      2.0 %"), std::string::npos)
+      << frf_text(set);
+  frf.coherence.setOnes();
+  frf.variance.setZero();
+  EXPECT_NE(frf_text(set).find("–          –          –"), std::string::npos)
+      << frf_text(set);
 }
 
 }  // namespace

@@ -59,6 +59,27 @@ TEST(FrfView, CountsTheOverlaysWhoseSizesDoNotFit) {
   EXPECT_EQ(line.find("…"), std::string::npos) << line;
 }
 
+// A file of ready FRFs may have neither hits nor scatter nor coherence.
+TEST(FrfView, ShowsNothingAsMeasuredThatWasNot) {
+  signal::FrfSet frfs = testing::fake_frfs();
+  frfs.s.real().setZero();
+  for (signal::Frf& frf : frfs.frfs) {
+    frf.coherence.setOnes();
+    frf.variance.setZero();
+    frf.hits = 0;
+  }
+  FrfState state;
+  const std::string text = frf_view(frfs, state, {120, 32, false}).to_text();
+  for (const char* words : {"1.000", "0.00", "exponential window"}) {
+    EXPECT_EQ(text.find(words), std::string::npos) << words << "\n" << text;
+  }
+  state.range.cursor = frfs.frequency_hz()[3];
+  state.range.cursor_set = true;
+  const std::string line = last_line(frf_view(frfs, state, {120, 32, false}));
+  EXPECT_EQ(line.find("coherence"), std::string::npos) << line;
+  EXPECT_EQ(line.find("sd"), std::string::npos) << line;
+}
+
 /// Behind "|H| ".
 double size_in(const std::string& line) {
   const std::size_t at = line.find("|H| ");

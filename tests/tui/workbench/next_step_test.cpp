@@ -66,6 +66,17 @@ TEST(NextStep, IsSaidFromTheStateOfTheWork) {
       "next: a floor of 160.0 % hides what is missing: 7 has the warnings");
 }
 
+TEST(NextStep, CountsNoCoherenceOfASingleHit) {
+  Snapshot known;
+  signal::FrfSet frfs = testing::fake_frfs();
+  frfs.frfs[0].coherence.setOnes();
+  frfs.frfs[0].hits = 1;
+  known.frfs = shared(frfs);
+  EXPECT_EQ(step_words(1, known),
+            "next: coherence 0.987 on average, 0.987 at worst: 3 identifies "
+            "the modes");
+}
+
 TEST(NextStep, SaysWhatTheVerdictBuys) {
   Snapshot known;
   known.has_model = true;
