@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 #include <unistd.h>
 #include <variant>
 #include <vector>
@@ -29,7 +30,17 @@ using tapfit::tui::Invocation;
 using tapfit::tui::print;
 using tapfit::tui::say;
 
+void check_is_there(const std::filesystem::path& input) {
+  std::error_code fault;
+  if (input.empty() || std::filesystem::exists(input, fault)) return;
+  throw tapfit::InputError("is not there",
+                           input.string(),
+                           "give the folder of a test, with its test.json, or "
+                           "a universal file");
+}
+
 int open_terminal(const Invocation& invocation) {
+  check_is_there(invocation.options.input);
   const bool replay = invocation.app.keys_file.has_value();
   if (!replay && (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0)) {
     say(!invocation.help.empty() ? invocation.help
@@ -92,6 +103,9 @@ int main(int argc, char** argv) {
   (void)std::signal(SIGXFSZ, SIG_IGN);
   try {
     return tapfit_main(argc, argv);
+  } catch (const tapfit::tui::NoSuchTable& error) {
+    say(fmt::format("tapfit: {}\n", error.what()));
+    return ExitStatus::CommandLineAtFault;
   } catch (const tapfit::InputError& error) {
     say(fmt::format("tapfit: {}\n", error.what()));
     return ExitStatus::InputAtFault;

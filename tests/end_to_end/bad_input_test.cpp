@@ -265,10 +265,26 @@ TEST(BadCommandLine, IsStatusTwoWithASilentOutput) {
 }
 
 TEST(BadCommandLine, TerminalIsNotOpenedWithoutOne) {
-  const ProgramResult result = run_tapfit("some/bundle");
+  const ProgramResult result =
+      run_tapfit("'" TAPFIT_SOURCE_DIR "/recordings/paper-truss'");
   EXPECT_EQ(result.exit_status, 2);
   EXPECT_EQ(result.out, "");
   EXPECT_NE(result.err.find("tapfit run"), std::string::npos) << result.err;
+}
+
+TEST(BadCommandLine, AFolderThatIsNotThereIsNamed) {
+  const ProgramResult result = run_tapfit("w33/nowhere");
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find("w33/nowhere: is not there"), std::string::npos)
+      << result.err;
+}
+
+TEST_F(BadInput, ATableThatIsNoneIsTheCommandLinesFault) {
+  const ProgramResult result = run("hits --csv=foo");
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_NE(result.err.find("there is no table \"foo\""), std::string::npos)
+      << result.err;
 }
 
 TEST(HelpAndVersion, AreOnStandardOutput) {

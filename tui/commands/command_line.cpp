@@ -3,6 +3,7 @@
 #include "tui/commands/command_table.hpp"
 #include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
+#include "tui/options/help_format.hpp"
 #include "tui/options/library_versions.hpp"
 #include "tui/options/misspelt.hpp"
 #include "tui/options/option_groups.hpp"
@@ -18,7 +19,9 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -42,6 +45,40 @@ constexpr std::array<OwnEntry, 3> own_entries{{
     {"score", "Diagnose practice cases and count", score_command},
 }};
 
+/// What is done with the published tables and with made-up tests.
+constexpr const char* studies = "Studies and practice";
+
+const char* group_of(std::string_view command) {
+  for (const std::string_view study :
+       {"paper", "simulate", "challenge", "reveal", "score"}) {
+    if (command == study) return studies;
+  }
+  return "Commands";
+}
+
+CLI::App* add_subcommand(CLI::App& app,
+                         const std::string& name,
+                         const std::string& does) {
+  CLI::App* command = app.add_subcommand(name, does);
+  command->group(group_of(name));
+  command->footer(example_of(name));
+  return command;
+}
+
+/// Of what a command reads.
+std::string input_words(std::string_view input) {
+  using Pair = std::pair<std::string_view, const char*>;
+  static constexpr std::array<Pair, 5> known{{
+      {"BUNDLE", "Folder of a test, with its test.json, or a universal file"},
+      {"MODES", "UFF 55 or 2414, CSV or JSON"},
+      {"DECK", "Bulk data, or a deck of Abaqus or CalculiX (.inp)"},
+      {"FILE", "Universal file"},
+      {"FOLDER", "Where the challenge is"},
+  }};
+  const auto found = std::ranges::find(known, input, &Pair::first);
+  return found == known.end() ? "" : found->second;
+}
+
 void add_inside(CLI::App& command, CommandOptions& options) {
   command.add_flag("--inside",
                    options.inside,
@@ -59,7 +96,7 @@ void add_formats(CLI::App& command,
   command
       .add_flag(fmt::format("--csv{{{}}}", entry.table),
                 options.csv,
-                fmt::format("Print the table {} of that as CSV; --csv=NAME: "
+                fmt::format("Print the table {} of that as CSV; --csv=TABLE: "
                             "another of its tables",
                             entry.table))
       ->excludes(json);
@@ -68,24 +105,31 @@ void add_formats(CLI::App& command,
 void add_command(CLI::App& app,
                  const CommandEntry& entry,
                  Invocation& invocation) {
-  CLI::App* command = app.add_subcommand(entry.name, entry.does);
+  CLI::App* command = add_subcommand(app, entry.name, entry.does);
   if (entry.alias != nullptr) command->alias(entry.alias);
   CommandOptions& options = invocation.options;
   const auto has = [&entry](unsigned extra) {
     return (entry.extras & extra) != 0;
   };
   if (entry.input != nullptr) {
-    command->add_option(entry.input, options.input)->required();
+    command->add_option(entry.input, options.input, input_words(entry.input))
+        ->required();
     add_inside(*command, options);
   }
   if (has(Several)) add_together_options(*command, options);
   if (!has(TextOnly)) add_formats(*command, entry, options);
   if (has(Uff)) {
-    command->add_option("--uff", options.uff, "Universal file to write");
+    command->add_option("--uff", options.uff, "Universal file to write")
+        ->type_name("FILE");
   }
   if (has(DeckFile)) add_export_options(*command, options);
   if (has(Output)) {
-    command->add_option("-o,--output", options.output, "Where to write");
+    command
+        ->add_option("-o,--output",
+                     options.output,
+                     "Report to write: .html, or .md with pictures beside it "
+                     "(BUNDLE/report.html)")
+        ->type_name("FILE");
   }
   if (has(Uff | DeckFile | Output | Identify)) {
     command->add_flag("--force",
@@ -94,8 +138,10 @@ void add_command(CLI::App& app,
                       "reads");
   }
   if (has(SavedFile)) {
-    command->add_option(
-        "--file", options.saved, "Saved session (BUNDLE/session.json)");
+    command
+        ->add_option(
+            "--file", options.saved, "Saved session (BUNDLE/session.json)")
+        ->type_name("FILE");
   }
   if (has(Effects)) add_effects(*command, options);
   if (has(Forecast)) add_predict_options(*command, options);
@@ -140,6 +186,9 @@ void add_command(CLI::App& app,
     command->add_option("NODE", options.node, "Grid id; none for a map of all")
         ->check(CLI::Range(1, 99999999));
   }
+  if (has(DeckFile)) {
+    command->parse_complete_callback([&options] { check_has_export(options); });
+  }
   command->callback([&invocation, &entry] {
     invocation.name = entry.name;
     invocation.command = entry.command;
@@ -147,7 +196,8 @@ void add_command(CLI::App& app,
 }
 
 void add_import(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand(
+  CLI::App* command = add_subcommand(
+      app,
       "import",
       "Make a bundle out of time records: CSV, MATLAB, HDF5 and netCDF4, TDMS, "
       "numpy, SEP-005, universal files");
@@ -159,8 +209,10 @@ void add_import(CLI::App& app, Invocation& invocation) {
 }
 
 void add_tour(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand(
-      "tour", "The terminal with words on what is seen: of the demonstration");
+  CLI::App* command = add_subcommand(
+      app,
+      "tour",
+      "The terminal with words on what is seen: of the demonstration");
   add_terminal_options(*command, invocation.options.input, invocation.app);
   add_inside(*command, invocation.options);
   command->callback([&invocation] {
@@ -170,8 +222,8 @@ void add_tour(CLI::App& app, Invocation& invocation) {
 }
 
 void add_paper(CLI::App& app, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand(
-      "paper", "The published tables beside the program's own");
+  CLI::App* command = add_subcommand(
+      app, "paper", "The published tables beside the program's own");
   add_paper_options(*command, invocation.options);
   command->callback([&invocation] {
     invocation.name = "paper";
@@ -183,7 +235,7 @@ void add_paper(CLI::App& app, Invocation& invocation) {
 }
 
 void add_own(CLI::App& app, const OwnEntry& entry, Invocation& invocation) {
-  CLI::App* command = app.add_subcommand(entry.name, entry.does);
+  CLI::App* command = add_subcommand(app, entry.name, entry.does);
   command->set_help_flag();
   command->prefix_command();
   command->callback([&invocation, &entry, command] {
@@ -244,7 +296,9 @@ std::variant<Invocation, CommandLineAnswer> parse_command_line(
       "From hammer taps to a finite element model you can believe.\n"
       "Without a command, opens the bundle in the terminal.",
       "tapfit");
-  app.set_version_flag("--version", version_text);
+  app.formatter(std::make_shared<HelpFormat>());
+  app.footer("tapfit COMMAND --help lists what a command can be told.");
+  app.set_version_flag("--version", version_text, "Print the libraries' too");
   app.require_subcommand(0, 1);
   add_terminal_options(app, invocation.options.input, invocation.app);
   add_inside(app, invocation.options);

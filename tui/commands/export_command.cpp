@@ -80,12 +80,6 @@ acquisition::UffNodes nodes_as(const CommandOptions& options) {
 
 std::string export_command(const CommandOptions& options,
                            const Progress& progress) {
-  if (!options.uff && !options.deck && !options.records && !options.vtu) {
-    throw InputError(
-        "nothing to export",
-        "tapfit export",
-        "name a file with --uff, --records, --deck, --vtu or several");
-  }
   updating::Session session = open_bundle(options);
   if (options.deck) {
     updating::check_has_deck(session);

@@ -51,7 +51,7 @@ void add_effects(CLI::App& command, CommandOptions& options) {
   command
       .add_option("--effect",
                   options.effects,
-                  "Effect to add, for example added-mass@201")
+                  "Effect to add, for example added-mass@201; may be repeated")
       ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE]"))
       ->allow_extra_args(false);
 }
@@ -61,7 +61,7 @@ void add_predict_options(CLI::App& command, CommandOptions& options) {
       .add_option("--effect",
                   options.prediction.changes,
                   "Known change and its size, for example "
-                  "added-mass@201=0.010 or =10g; again for more")
+                  "added-mass@201=0.010 or =10g; may be repeated")
       ->required()
       ->check(CLI::Validator(change_fault, "EFFECT[@PLACE]=SIZE[,SIZE...]"))
       ->allow_extra_args(false);
@@ -90,9 +90,9 @@ void add_regularisation(CLI::App& command, CommandOptions& options) {
   command
       .add_option("--lines",
                   options.lines,
-                  "Frequency lines: damped, rule, even, random, before-peaks "
-                  "or a list in Hz such as 20,31.5,40:60:0.5")
-      ->check(CLI::Validator(lines_fault, "LINES"));
+                  "Frequency lines: damped (default), rule, even, random, "
+                  "before-peaks or a list in Hz such as 20,31.5,40:60:0.5")
+      ->check(CLI::Validator(lines_fault, "RULE|LIST"));
   command
       .add_option("--lambda",
                   options.lambda,

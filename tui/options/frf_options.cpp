@@ -41,7 +41,7 @@ void add_free_masses(CLI::App& command, CommandOptions& options) {
       .add_option("--free",
                   options.free,
                   "Take a sensor's mass off: all, acc1, acc1=0.020 or "
-                  "acc1=0.020,sd=0.001 [kg]; again for each")
+                  "acc1=0.020,sd=0.001 [kg]; may be repeated")
       ->check(CLI::Validator(free_fault, "SENSOR[=KG][,sd=KG]"))
       ->allow_extra_args(false);
 }

@@ -113,7 +113,8 @@ void add_mode_choices(CLI::App& command, HandChoices& by_hand) {
             }
             choices.band_hz = {band[0], band[1]};
           },
-          "LOW HIGH: search this band only [Hz]")
+          "Search this band only [Hz]")
+      ->type_name("LOW HIGH")
       ->expected(2)
       ->delimiter(',')
       ->check(CLI::NonNegativeNumber);
@@ -141,8 +142,8 @@ void add_pair_choices(CLI::App& command, HandChoices& by_hand) {
   command
       .add_option("--pair",
                   by_hand.pairs,
-                  "FIRST:SECOND or FIRST:none, modes paired by hand; again for "
-                  "more")
+                  "FIRST:SECOND or FIRST:none, modes paired by hand; may be "
+                  "repeated")
       ->check(CLI::Validator(pair_fault, "I:K|I:none"))
       ->allow_extra_args(false);
 }

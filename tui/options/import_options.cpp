@@ -6,9 +6,11 @@ void add_import_options(CLI::App& command, CommandOptions& options) {
   ImportArguments& given = options.imports;
   command.add_option("FILE", given.files, "FILE, or FILE@POINT of its blows")
       ->required();
-  command.add_option("-o,--output",
-                     options.output,
-                     "Folder of the bundle (called after FILE)");
+  command
+      .add_option("-o,--output",
+                  options.output,
+                  "Folder of the bundle (called after FILE)")
+      ->type_name("FOLDER");
   command.add_option("--hammer",
                      given.hammer,
                      "COLUMN@POINT,KEY=VALUE...; without it the one with the "
@@ -24,8 +26,11 @@ void add_import_options(CLI::App& command, CommandOptions& options) {
                      "it");
   command.add_option("--time", given.time_column, "Column of the time [s]");
   command.add_option("--title", given.title, "Title of the bundle");
-  command.add_option("--deck", options.deck, "Its bulk data model");
-  command.add_option("--band", given.band_hz, "Lowest and highest frequency")
+  command.add_option("--deck", options.deck, "Its bulk data model")
+      ->type_name("FILE");
+  command
+      .add_option("--band", given.band_hz, "Lowest and highest frequency [Hz]")
+      ->type_name("LOW HIGH")
       ->delimiter(',');
   command.add_flag("--force",
                    options.force,

@@ -18,6 +18,7 @@ CLI::Validator finite() {
 /// An option of some percentages that set as many ratios.
 void add_percents(CLI::App& command,
                   const std::string& name,
+                  const std::string& values,
                   const std::vector<double*>& ratios,
                   const std::string& does) {
   command
@@ -32,6 +33,7 @@ void add_percents(CLI::App& command,
             }
           },
           does)
+      ->type_name(values)
       ->expected(static_cast<int>(ratios.size()))
       ->check(CLI::Range(0.0, 100.0))
       ->check(finite());
@@ -48,12 +50,14 @@ void add_modes_options(CLI::App& command, ModesArguments& arguments) {
       ->check(CLI::Range(2, 500));
   add_percents(command,
                "--stable",
+               "FREQUENCY DAMPING VECTOR",
                {&identify.frequency_tolerance,
                 &identify.damping_tolerance,
                 &identify.vector_tolerance},
-               "Frequency, damping and vector tolerance in % (1 5 2)");
+               "Tolerances of stable poles in % (1 5 2)");
   add_percents(command,
                "--damping",
+               "LEAST LARGEST",
                {&identify.least_damping_ratio, &identify.max_damping_ratio},
                "Least and largest damping of a mode in % (0.0001 20)");
   command.add_option("--mpc", identify.least_mpc, "Least MPC of a mode (0.2)")
@@ -71,8 +75,11 @@ void add_modes_options(CLI::App& command, ModesArguments& arguments) {
       .add_option(
           "--dataset", arguments.dataset, "Of --uff: 55 (default) or 2414")
       ->check(CLI::IsMember({55, 2414}));
-  command.add_option(
-      "--fit", arguments.fit, "Universal file for the synthesised FRFs (58)");
+  command
+      .add_option("--fit",
+                  arguments.fit,
+                  "Universal file for the synthesised FRFs (58)")
+      ->type_name("FILE");
 }
 
 }  // namespace tapfit::tui

@@ -12,6 +12,8 @@ namespace tapfit::tui {
 
 /// What `tapfit export` can be told to write, besides FRFs and modes.
 void add_export_options(CLI::App& command, CommandOptions& options);
+/// @throws CLI::RequiredError where no file is named to write
+void check_has_export(const CommandOptions& options);
 
 /// fit_options.cpp: --effect, as often as is wanted.
 void add_effects(CLI::App& command, CommandOptions& options);

@@ -1,8 +1,10 @@
 #include "tui/options/own_answer.hpp"
 
+#include "tui/options/help_format.hpp"
 #include "tui/options/misspelt.hpp"
 #include "tui/options/standard_streams.hpp"
 
+#include <memory>
 #include <sstream>
 
 namespace tapfit::tui {
@@ -25,6 +27,11 @@ std::optional<int> answered(CLI::App& app,
                             int argc,
                             const char* const* argv,
                             const std::function<void()>& check) {
+  app.formatter(std::make_shared<HelpFormat>());
+  const std::string name = app.get_name();
+  const std::string footer = app.get_footer();
+  app.footer(footer + (footer.empty() ? "" : "\n\n") +
+             example_of(name.substr(name.rfind(' ') + 1)));
   try {
     app.parse(argc, argv);
     if (check) check();

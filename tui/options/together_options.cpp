@@ -22,6 +22,7 @@ void add_together_options(CLI::App& command, CommandOptions& options) {
                   together.single,
                   "Number of a test, from 1, and an effect that it alone has: "
                   "--effect-in 2 added-mass@201")
+      ->type_name("N EFFECT")
       ->allow_extra_args(false);
   command
       .add_option("--own",

@@ -78,12 +78,16 @@ void add_paper_options(CLI::App& command, CommandOptions& options) {
                   options.paper.structures,
                   "truss, wing, frame; all where none is named")
       ->check(CLI::IsMember({"truss", "wing", "frame"}));
-  command.add_option(
-      "--recordings", options.input, "Folder of the bundles (recordings)");
-  command.add_option("--write",
-                     options.paper.write,
-                     "Folder for the simulated FRFs of truss and wing, made "
-                     "again");
+  command
+      .add_option(
+          "--recordings", options.input, "Folder of the bundles (recordings)")
+      ->type_name("FOLDER");
+  command
+      .add_option("--write",
+                  options.paper.write,
+                  "Folder for the simulated FRFs of truss and wing, made "
+                  "again")
+      ->type_name("FOLDER");
   command.add_flag("--force",
                    options.force,
                    "Replace files that are there; never what the test reads");

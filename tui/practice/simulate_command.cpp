@@ -54,25 +54,32 @@ void describe(CLI::App& app, Words& words) {
                  "among its own")
       ->needs("--structure");
   app.add_option(
-         "--effect", words.effects, "what to hide (again for each), or none")
+         "--effect", words.effects, "what to hide, or none; may be repeated")
       ->expected(1)
       ->take_all()
       ->check(CLI::Validator(effect_fault, "EFFECT[@PLACE][=VALUE,...]"));
-  app.add_option("--seed", spec.seed, "same seed, same bundle");
+  app.add_option("--seed", spec.seed, "same seed, same bundle")
+      ->capture_default_str();
   app.add_option("--roving", words.roving, "hammer or sensor")
+      ->capture_default_str()
       ->check(CLI::IsMember({"hammer", "sensor"}));
   app.add_option("--runs", spec.points, "points to rove over")
+      ->capture_default_str()
       ->check(CLI::Range(2, 999));
   app.add_option("--hits", spec.hits, "hits at each point")
+      ->capture_default_str()
       ->check(CLI::Range(1, 99));
   app.add_option("--band", words.band, "band of interest [Hz]")
       ->expected(2)
       ->delimiter(',');
   app.add_option("--gap", spec.gap_s, "time between hits [s]")
+      ->capture_default_str()
       ->check(CLI::Range(0.05, 600.0));
   app.add_option("--modulus", spec.modulus_percent, "E off by [%]")
+      ->capture_default_str()
       ->check(CLI::Range(-50.0, 50.0));
   app.add_option("--damping", spec.damping_mean, "mean damping ratio")
+      ->capture_default_str()
       ->check(CLI::Range(1e-5, 0.2));
   app.add_option("--stated-mass",
                  spec.stated_mass_kg,

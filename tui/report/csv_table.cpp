@@ -140,7 +140,7 @@ std::string csv_table(std::string_view json, std::string_view table) {
       table.substr(std::min(table.size(), first.size() + 1));
   if (!whole.contains(first) || !whole[first].is_structured() ||
       !leads_on(whole[first], rest).value_or(true)) {
-    throw InputError(
+    throw NoSuchTable(
         fmt::format("there is no table \"{}\"", table),
         "--csv",
         fmt::format("there are {}", fmt::join(tables_of(whole), ", ")));

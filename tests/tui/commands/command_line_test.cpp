@@ -2,11 +2,14 @@
 
 #include "tui/commands/commands.hpp"
 #include "tui/commands/update_command.hpp"
+#include "tui/options/help_format.hpp"
 #include "tui/paper/paper_command.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <iterator>
+#include <sstream>
 
 namespace tapfit::tui {
 namespace {
@@ -267,6 +270,67 @@ TEST(CommandLine, TheVersionNamesLibraries) {
   }
 }
 
+bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(CommandLine, HelpSetsStudiesApart) {
+  const std::string text = answered({"--help"}).text;
+  const std::size_t studies = text.find("Studies and practice:");
+  ASSERT_NE(studies, std::string::npos) << text;
+  for (const char* daily : {"run", "report", "import", "tour", "doctor"}) {
+    EXPECT_LT(text.find(std::string("\n  ") + daily), studies) << daily;
+  }
+  for (const char* study :
+       {"paper", "simulate", "challenge", "reveal", "score"}) {
+    const std::size_t at = text.find(std::string("\n  ") + study);
+    EXPECT_GT(at, studies) << study;
+    EXPECT_NE(at, std::string::npos) << study;
+  }
+}
+
+TEST(CommandLine, HelpIsInPlainWords) {
+  for (const std::string& name : command_names()) {
+    if (name == "simulate" || name == "challenge" || name == "score") continue;
+    const std::string text = answered({name.c_str(), "--help"}).text;
+    for (const char* jargon : {"TEXT:",
+                               "FLOAT",
+                               " INT",
+                               " x 2",
+                               "REQUIRED",
+                               "Excludes",
+                               "Needs",
+                               "99999999",
+                               "again for"}) {
+      EXPECT_FALSE(holds(text, jargon)) << name << " " << jargon << "\n"
+                                        << text;
+    }
+    if (name == "doctor") continue;
+    EXPECT_TRUE(holds(text, "Example:\n  tapfit " + name)) << text;
+  }
+  const std::string report = answered({"report", "--help"}).text;
+  EXPECT_TRUE(holds(report, "Folder of a test")) << report;
+  EXPECT_TRUE(holds(report, "--band LOW HIGH")) << report;
+  EXPECT_TRUE(holds(report, "(BUNDLE/report.html)")) << report;
+  EXPECT_TRUE(holds(answered({"frf", "--help"}).text, "--estimator H1|H2|Hv"));
+}
+
+// They are known to be command lines only.
+TEST(CommandLine, ExamplesOfTheHelpCanBeRead) {
+  for (const std::string& name : command_names()) {
+    const std::string text = example_of(name);
+    if (text.empty()) continue;
+    std::istringstream words(text.substr(text.find("tapfit")));
+    std::vector<std::string> arguments{
+        std::istream_iterator<std::string>(words), {}};
+    std::vector<const char*> pointers;
+    for (std::size_t k = 1; k < arguments.size(); ++k) {
+      pointers.push_back(arguments[k].c_str());
+    }
+    EXPECT_EQ(parsed(pointers).name, name) << text;
+  }
+}
+
 TEST(CommandLine, HelpAndVersionAreAnswersNotFaults) {
   EXPECT_EQ(answered({"--help"}).exit_status, 0);
   EXPECT_NE(answered({"--help"}).text.find("diagnose"), std::string::npos);
@@ -277,6 +341,9 @@ TEST(CommandLine, HelpAndVersionAreAnswersNotFaults) {
 
 TEST(CommandLine, FaultsAreStatusTwo) {
   EXPECT_EQ(answered({"run"}).exit_status, 2);
+  const CommandLineAnswer nothing = answered({"export", "b"});
+  EXPECT_EQ(nothing.exit_status, 2);
+  EXPECT_NE(nothing.text.find("--vtu"), std::string::npos) << nothing.text;
   EXPECT_EQ(answered({"run", "b", "--no-such-option"}).exit_status, 2);
   EXPECT_EQ(answered({"run", "b", "c"}).exit_status, 2);
   EXPECT_EQ(answered({"model", "deck", "--modes", "0"}).exit_status, 2);
