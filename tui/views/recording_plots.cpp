@@ -42,33 +42,58 @@ void cut_off(Curve& curve, double time_s) {
     if (values->size() >= n) values->conservativeResize(n);
 }
 
-/// Every sample on show, joined; nothing where there are more than columns.
-std::optional<Curve> sample_curve(const Trace& trace,
-                                  Eigen::Index channel,
-                                  const PlotRange& shown,
-                                  int columns) {
-  if (trace.stretch != 1 || channel >= trace.low.cols()) return {};
-  const auto first = std::max<Eigen::Index>(
-      static_cast<Eigen::Index>(shown.lo * trace.sample_rate_hz) - 1, 0);
+/// Rows of the trace on show, and one more at each end.
+struct TraceRows {
+  Eigen::Index first = 0;
+  Eigen::Index count = 0;
+};
+
+TraceRows rows_on_show(const Trace& trace, const PlotRange& shown) {
+  const double rate = trace.sample_rate_hz / static_cast<double>(trace.stretch);
+  const auto first =
+      std::max<Eigen::Index>(static_cast<Eigen::Index>(shown.lo * rate) - 1, 0);
   const auto last = std::min<Eigen::Index>(
-      static_cast<Eigen::Index>(shown.hi * trace.sample_rate_hz) + 2,
-      trace.low.rows());
-  const Eigen::Index n = last - first;
-  if (n < 2 || n > columns) return std::nullopt;
+      static_cast<Eigen::Index>(shown.hi * rate) + 2, trace.low.rows());
+  return {first, std::max<Eigen::Index>(last - first, 0)};
+}
+
+/// Every sample on show, joined; of a thinned record the lowest and highest of
+/// each stretch at its middle.
+Curve record_curve(const Trace& trace,
+                   Eigen::Index channel,
+                   const PlotRange& shown) {
+  const auto [first, n] = rows_on_show(trace, shown);
   Curve curve{"", {}, {}, {}, {}, {Colour::Sky}};
-  curve.x.resize(n);
-  curve.y.resize(n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    curve.x[i] = static_cast<double>(first + i) / trace.sample_rate_hz;
-    curve.y[i] = trace.low(first + i, channel);
+  const auto stretch = static_cast<double>(trace.stretch);
+  curve.x =
+      (Eigen::VectorXd::LinSpaced(
+           n, static_cast<double>(first), static_cast<double>(first + n - 1))
+               .array() *
+           stretch +
+       0.5 * (stretch - 1.0)) /
+      trace.sample_rate_hz;
+  const Eigen::VectorXd low =
+      trace.low.col(channel).segment(first, n).cast<double>();
+  if (trace.stretch == 1) {
+    curve.y = low;
+  } else {
+    curve.low = low;
+    curve.high = trace.high.col(channel).segment(first, n).cast<double>();
   }
   return curve;
 }
 
+/// Whether each sample on show has a column of its own.
+bool fits_samples(const Trace& trace, const PlotRange& shown, int columns) {
+  const Eigen::Index n = rows_on_show(trace, shown).count;
+  return trace.stretch == 1 && n >= 2 && n <= columns;
+}
+
+/// @param columns none: whatever is known goes to a file
 Plot channel_plot(const RecordingInput& input,
                   const RecordingState& state,
                   std::size_t channel,
-                  int columns) {
+                  std::optional<int> columns) {
   const Trace& trace = input.traces[state.run];
   const PlotRange shown = resolved(state.range, 0.0, trace.duration_s());
   Plot plot;
@@ -78,11 +103,9 @@ Plot channel_plot(const RecordingInput& input,
     const acquisition::Channel& c = input.bundle.channels[channel];
     plot.y = {c.name, unit_of(c.quantity), 0.0, 0.0, false};
   }
-  const Envelope e = envelope(trace,
-                              static_cast<Eigen::Index>(channel),
-                              shown.lo,
-                              shown.hi,
-                              2 * std::max(columns, 1));
+  const auto column = static_cast<Eigen::Index>(channel);
+  const Envelope e = envelope(
+      trace, column, shown.lo, shown.hi, 2 * std::max(columns.value_or(1), 1));
   Curve curve{"", e.time_s, {}, e.low, e.high, {Colour::Sky}};
   if (e.time_s.size() > 0) {
     // The scale stays while samples come in.
@@ -92,9 +115,9 @@ Plot channel_plot(const RecordingInput& input,
     plot.y.lo = low - room;
     plot.y.hi = high + room;
   }
-  if (auto samples = sample_curve(
-          trace, static_cast<Eigen::Index>(channel), shown, columns)) {
-    curve = std::move(*samples);
+  if (column < trace.low.cols() &&
+      (!columns || fits_samples(trace, shown, *columns))) {
+    curve = record_curve(trace, column, shown);
   }
   if (state.playing.on) {
     cut_off(curve, state.playing.time_s);
@@ -219,7 +242,9 @@ void draw_channels(Screen& screen,
     if (pane > 0 && sensors == 0) break;
     const acquisition::Placement& at =
         pane == 0 ? run.hammer : run.sensors[sensor];
-    Plot plot = channel_plot(input, state, at.channel, here.width);
+    const std::optional<int> columns =
+        screen.drawings() == nullptr ? std::optional(here.width) : std::nullopt;
+    Plot plot = channel_plot(input, state, at.channel, columns);
     plot.x_labels = last;
     const std::string title =
         pane == 0
