@@ -15,17 +15,12 @@ namespace {
 
 using Eigen::Index;
 
-struct TableColumn {
-  std::string heading;
-  Eigen::VectorXd values;
-};
-
 /// Columns of several lengths beside each other.
-std::string table_text(const std::vector<TableColumn>& columns,
+std::string table_text(const std::vector<NamedNumbers>& columns,
                        char separator) {
   std::vector<std::string> cells;
   Index rows = 0;
-  for (const TableColumn& column : columns) {
+  for (const NamedNumbers& column : columns) {
     cells.push_back(column.heading);
     rows = std::max(rows, column.values.size());
   }
@@ -63,7 +58,7 @@ std::string name_of(const Curve& curve, const Plot& plot, int& unnamed) {
                       : fmt::format("{} {}", plot.y.label, unnamed);
 }
 
-void add_curve(std::vector<TableColumn>& columns,
+void add_curve(std::vector<NamedNumbers>& columns,
                const Curve& curve,
                const Plot& plot,
                const std::string& name) {
@@ -72,13 +67,17 @@ void add_curve(std::vector<TableColumn>& columns,
     if (values.size() != curve.x.size() || values.size() == 0) return;
     columns.push_back({with_unit(what, plot.y), values(rows)});
   };
+  if (curve.numbers.size() > 0) {
+    columns.push_back({curve.quantity, curve.numbers(rows)});
+    return;
+  }
   add(name, curve.y);
   add(name + " low", curve.low);
   add(name + " high", curve.high);
 }
 
 /// Points that stand by themselves, glyph by glyph.
-void add_spots(std::vector<TableColumn>& columns, const Plot& plot) {
+void add_spots(std::vector<NamedNumbers>& columns, const Plot& plot) {
   std::vector<char32_t> glyphs;
   for (const Spot& spot : plot.spots) {
     if (std::ranges::find(glyphs, spot.glyph) == glyphs.end()) {
@@ -95,6 +94,8 @@ void add_spots(std::vector<TableColumn>& columns, const Plot& plot) {
     }
     std::string name;
     append_utf8(name, glyph);
+    const auto meant = plot.meanings.find(glyph);
+    if (meant != plot.meanings.end()) name = meant->second;
     const auto n = static_cast<Index>(x.size());
     columns.push_back(
         {with_unit(fmt::format("{} {}", name, plot.x.label), plot.x),
@@ -106,7 +107,7 @@ void add_spots(std::vector<TableColumn>& columns, const Plot& plot) {
 }
 
 std::string table_of(const Plot& plot, char separator) {
-  std::vector<TableColumn> columns;
+  std::vector<NamedNumbers> columns;
   const Eigen::VectorXd* lines = nullptr;
   int unnamed = 0;
   for (const Curve& curve : plot.curves) {
@@ -123,8 +124,9 @@ std::string table_of(const Plot& plot, char separator) {
 }
 
 std::string table_of(const PlanePlot& plane, char separator) {
+  if (!plane.columns.empty()) return table_text(plane.columns, separator);
   if (plane.x_label.empty()) return {};
-  std::vector<TableColumn> columns;
+  std::vector<NamedNumbers> columns;
   for (const Path& path : plane.paths) {
     const std::string name = path.label.empty() ? "" : path.label + " ";
     columns.push_back({name + plane.x_label, path.x});

@@ -1,5 +1,6 @@
 #include "tui/document/svg_plot.hpp"
 
+#include "tui/document/svg_line.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/widgets/plot.hpp"
 #include "tui/widgets/ticks.hpp"
@@ -20,30 +21,6 @@ constexpr double bottom_margin = 44.0;
 constexpr double legend_height = 24.0;
 constexpr double title_height = 20.0;
 constexpr double top_margin = 8.0;
-
-/// One axis, from values to pixels.
-class Scale {
- public:
-  Scale(const Axis& axis, double at_low, double at_high)
-      : log_(axis.log),
-        low_(shown(axis.lo)),
-        high_(shown(axis.hi)),
-        at_low_(at_low),
-        at_high_(at_high) {}
-
-  [[nodiscard]] std::optional<double> operator()(double value) const {
-    if (!std::isfinite(value) || (log_ && value <= 0.0)) return std::nullopt;
-    return at_low_ +
-           (shown(value) - low_) / (high_ - low_) * (at_high_ - at_low_);
-  }
-
- private:
-  [[nodiscard]] double shown(double value) const {
-    return log_ ? std::log10(value) : value;
-  }
-  bool log_;
-  double low_, high_, at_low_, at_high_;
-};
 
 /// Axes with their ranges; six decades show what there is to see.
 Ranges shown_ranges(const Plot& plot) {
@@ -72,10 +49,6 @@ Stroke pen_stroke(const Pen& pen) {
 Stroke dots_of(const Pen& pen) {
   return {ink_of(pen.colour), pen.dim ? 2.6 : 4.0, "", true};
 }
-
-struct Frame {
-  double left, top, right, bottom;
-};
 
 /// "1e-05" to "10⁻⁵"; others as they are.
 std::string tick_label(const std::string& label) {
@@ -131,36 +104,6 @@ void draw_axes(SvgCanvas& canvas,
               {.anchor = "middle", .turn_deg = -90.0});
 }
 
-using Point = std::pair<double, double>;
-
-/// Appends a run of points, of each pixel column the lowest and the highest.
-void append_run(std::string& d, const std::vector<Point>& run, double column) {
-  std::vector<Point> kept;
-  for (std::size_t i = 0; i < run.size();) {
-    std::size_t low = i;
-    std::size_t high = i;
-    std::size_t end = i;
-    const double cell = std::floor(run[i].first / column);
-    while (end < run.size() && std::floor(run[end].first / column) == cell) {
-      if (run[end].second < run[low].second) low = end;
-      if (run[end].second > run[high].second) high = end;
-      ++end;
-    }
-    kept.push_back(run[std::min(low, high)]);
-    if (low != high) kept.push_back(run[std::max(low, high)]);
-    if (end == run.size() && std::max(low, high) != end - 1) {
-      kept.push_back(run[end - 1]);
-    }
-    i = end;
-  }
-  for (std::size_t i = 0; i < kept.size(); ++i) {
-    d += (i == 0   ? "M"
-          : i == 1 ? "L"
-                   : " ") +
-         coordinate(kept[i].first) + " " + coordinate(kept[i].second);
-  }
-}
-
 /// What is drawn in a frame, from values to pixels.
 struct Paper {
   SvgCanvas& canvas;
@@ -169,42 +112,13 @@ struct Paper {
   Scale to_y;
 };
 
-/// @param y as x
-std::string line_path(const Paper& on,
-                      const Eigen::VectorXd& x,
-                      const Eigen::VectorXd& y,
-                      bool joined) {
-  const Frame& f = on.frame;
-  std::string d;
-  std::vector<Point> run;
-  const auto flush = [&] {
-    if (!run.empty()) append_run(d, run, 1.0);
-    run.clear();
-  };
-  for (Eigen::Index k = 0; k < std::min(x.size(), y.size()); ++k) {
-    const auto px = on.to_x(x(k));
-    const auto py = on.to_y(y(k));
-    const bool drawn = px && py && *px >= f.left - 0.5 &&
-                       *px <= f.right + 0.5 &&
-                       (joined || (*py >= f.top && *py <= f.bottom));
-    if (!drawn) {
-      flush();
-    } else if (joined) {
-      run.emplace_back(*px, std::clamp(*py, f.top, f.bottom));
-    } else {
-      d += fmt::format("M{} {}h0", coordinate(*px), coordinate(*py));
-    }
-  }
-  flush();
-  return d;
-}
-
 void draw_line(const Paper& on,
                const Eigen::VectorXd& x,
                const Eigen::VectorXd& y,
                const Pen& pen,
                bool joined) {
-  const std::string d = line_path(on, x, y, joined);
+  const std::string d = joined ? line_path(on.frame, on.to_x, on.to_y, x, y)
+                               : dotted_path(on.frame, on.to_x, on.to_y, x, y);
   if (!d.empty()) on.canvas.path(d, joined ? pen_stroke(pen) : dots_of(pen));
 }
 

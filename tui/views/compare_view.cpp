@@ -103,12 +103,14 @@ void draw_points(Screen& screen,
   if (input.wire == nullptr || points.empty()) return;
   const std::size_t selected = std::min(state.point, points.size() - 1);
   Scene scene;
+  scene.value_name = "error [%]";
   for (std::size_t i = points.size(); i-- > 0;) {
     const auto& [node, error] = points[i];
     const LevelMark& level = error_mark(error, points[0].second);
     Mark mark{node, level.glyph, {.colour = level.colour}, ""};
     mark.style.reverse = i == selected;
     mark.style.bold = i == selected;
+    mark.value = 100.0 * error;
     if (i == selected) mark.label = fmt::format("{}: {}", node, percent(error));
     scene.marks.push_back(std::move(mark));
   }

@@ -195,6 +195,7 @@ void draw_map(Screen& screen,
   const std::vector<updating::GridShare>& map = *input.map;
   const double best = std::max(map.front().explained, 1e-9);
   Scene scene;
+  scene.value_name = "explains alone [%]";
   for (std::size_t i = map.size(); i-- > 0;) {
     const double share = map[i].explained / best;
     if (share < 0.5) continue;
@@ -207,7 +208,8 @@ void draw_map(Screen& screen,
          level.glyph,
          {.colour = level.colour, .bold = i == 0},
          i == 0 ? fmt::format("{}: {}", map[i].node, percent(map[i].explained))
-                : std::string()});
+                : std::string(),
+         100.0 * map[i].explained});
   }
   const auto [body, lines] = split_top(rect, rect.height - 2);
   draw_wireframe(screen, body, *input.wire, scene, state.pose);

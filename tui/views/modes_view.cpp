@@ -28,19 +28,28 @@ Colour letter_colour(char letter) {
   return Colour::Grey;
 }
 
+bool has_cmif(const ModesInput& input) {
+  return input.cmif != nullptr && input.cmif->size() > 0 &&
+         input.cmif->rows() == input.frfs->lines();
+}
+
+/// What is seen behind the diagram: the CMIF's curves, or the mean |H|.
+Eigen::MatrixXd indicators(const ModesInput& input) {
+  if (has_cmif(input)) {
+    return input.cmif->leftCols(std::min<Eigen::Index>(input.cmif->cols(), 3));
+  }
+  Eigen::MatrixXd mean = Eigen::MatrixXd::Zero(input.frfs->lines(), 1);
+  for (const signal::Frf& frf : input.frfs->frfs) {
+    if (frf.H.size() == mean.rows()) mean.col(0) += frf.H.cwiseAbs();
+  }
+  return mean /
+         static_cast<double>(std::max<std::size_t>(input.frfs->frfs.size(), 1));
+}
+
 /// Curves on a logarithmic scale of their own, laid into the diagram's orders.
 std::vector<Curve> background(const ModesInput& input, double orders) {
   const Eigen::VectorXd f = input.frfs->frequency_hz();
-  Eigen::MatrixXd values;
-  if (input.cmif != nullptr && input.cmif->rows() == f.size()) {
-    values =
-        input.cmif->leftCols(std::min<Eigen::Index>(input.cmif->cols(), 3));
-  } else {
-    values = Eigen::MatrixXd::Zero(f.size(), 1);
-    for (const signal::Frf& frf : input.frfs->frfs) {
-      if (frf.H.size() == f.size()) values.col(0) += frf.H.cwiseAbs();
-    }
-  }
+  const Eigen::MatrixXd values = indicators(input);
   if (values.size() == 0 || !(values.col(0).maxCoeff() > 0.0)) return {};
   const double top = std::log10(values.maxCoeff());
   const double lowest = std::max(values.minCoeff(), 1e-5 * values.maxCoeff());
@@ -51,6 +60,10 @@ std::vector<Curve> background(const ModesInput& input, double orders) {
     const Eigen::ArrayXd level =
         values.col(c).array().max(1e-300).log10() - std::log10(lowest);
     curve.y = orders * level.max(0.0) / span;
+    curve.quantity =
+        (has_cmif(input) ? fmt::format("CMIF {}", c + 1) : "mean |H|") +
+        fmt::format(" [{}]", accelerance_unit);
+    curve.numbers = values.col(c);
     curves.push_back(std::move(curve));
   }
   return curves;
@@ -83,7 +96,12 @@ void draw_diagram(Screen& screen,
   const PlotRange shown = resolved(state.range, span.lo, span.hi);
   plot.x = {"f", "Hz", shown.lo, shown.hi, false};
   plot.y = {"order", "", 0.0, orders + 1.0, false};
-  const bool cmif = input.cmif != nullptr && input.cmif->size() > 0;
+  plot.meanings = {{U'o', "new pole"},
+                   {U'f', "stable frequency"},
+                   {U'd', "stable frequency and damping"},
+                   {U'v', "stable frequency and vector"},
+                   {U's', "stable pole"}};
+  const bool cmif = input.frfs != nullptr && has_cmif(input);
   plot.title = cmif ? "stabilisation over CMIF" : "stabilisation over mean |H|";
   if (shown.cursor_set) {
     plot.cursor = shown.cursor;

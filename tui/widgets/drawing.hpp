@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -33,6 +34,10 @@ struct Curve {
   Eigen::VectorXd high;  ///< ... to high
   Pen pen;
   bool joined = true;  ///< by lines; else single dots
+  /// For tables, where y is laid into the scale of another quantity: what it
+  /// stands for, and as x.
+  std::string quantity = {};  ///< with its unit
+  Eigen::VectorXd numbers = {};
 };
 
 struct Marker {
@@ -65,6 +70,14 @@ struct Plot {
   std::vector<Shade> shades;
   std::optional<double> cursor;  ///< x of the cursor line
   bool x_labels = true;          ///< the axis line and its labels below
+  /// What the glyphs of spots stand for, where they say it in tables.
+  std::map<char32_t, std::string> meanings = {};
+};
+
+/// Numbers under their heading.
+struct NamedNumbers {
+  std::string heading;
+  Eigen::VectorXd values;  ///< what is not finite leaves its cell empty
 };
 
 /// Points in their order; joined, or single dots.
@@ -90,6 +103,8 @@ struct PlanePlot {
   std::string y_label;
   std::vector<Path> paths;
   std::vector<PlaneSpot> spots;
+  /// For tables, where paths are only a view of it.
+  std::vector<NamedNumbers> columns = {};
 };
 
 struct HeatMap {

@@ -3,6 +3,7 @@
 #include "tui/screen/dots.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/widgets/drawing.hpp"
+#include "tui/widgets/structure_columns.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -215,6 +216,7 @@ PlanePlot seen(const Wireframe& wire,
                const Projection& view) {
   PlanePlot plot;
   plot.title = "structure";
+  plot.columns = structure_columns(wire, scene);
   const auto flat = [&view](const Eigen::Vector3d& p) -> Eigen::Vector2d {
     return (view.axes * (p - view.centre)).head<2>();
   };

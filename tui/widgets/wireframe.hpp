@@ -4,7 +4,7 @@
 #include "acquisition/bundle/test_geometry.hpp"
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
-#include "tui/widgets/mesh_lines.hpp"
+#include "tui/widgets/scene.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <Eigen/Core>
@@ -14,17 +14,6 @@
 #include <vector>
 
 namespace tapfit::tui {
-
-struct Wireframe {
-  Eigen::Matrix3Xd points;  ///< per deck grid [m]
-  std::vector<Edge> lines;  ///< indices into points
-  std::vector<MeshEdge>
-      ranks;                 ///< per line: which of them a coarser picture has
-  std::map<int, int> index;  ///< grid id to index
-  /// Axes of the test's own points, columns: displacements there count along
-  /// them.
-  std::map<int, Eigen::Matrix3d> axes;
-};
 
 /// Every edge once: of shells, bars, rods, plot lines. Of meshes with more
 /// than 3000 edges only those that belong to one shell (the outline), to
@@ -47,21 +36,6 @@ struct Pose {
 
 /// `<` `>` and `,` `.` turn, `(` `)` tilt, `{` `}` zoom.
 bool pose_key(Pose& pose, Key key);
-
-struct Mark {
-  int node = 0;
-  char32_t glyph = U'●';
-  Style style;
-  std::string label;  ///< written beside it where there is room
-};
-
-struct Scene {
-  std::vector<Mark> marks;       ///< nodes that are not there are left out
-  std::vector<int> highlighted;  ///< nodes whose lines are drawn in orange
-  Eigen::Matrix3Xd shape;        ///< displacement per point, or empty
-  std::map<int, Eigen::Vector3d> stems;  ///< displacement of single nodes
-  double phase = 1.0;  ///< factor on the displacements, -1 .. 1
-};
 
 /// Fitted into the rectangle, the cells' 1:2 shape allowed for. The largest
 /// displacement is drawn as an eighth of the structure's size. Of a mesh whose

@@ -54,6 +54,50 @@ TEST_F(Plots, AreWrittenAsPicturesAndTables) {
   EXPECT_TRUE(read("p-a.svg").starts_with("<svg"));
 }
 
+// 2560 samples of the made-up record at its rate, hits of 20 N at 256, 1024 and
+// 1792, whatever the terminal's width.
+TEST_F(Plots, OfARecordingHoldItsSamples) {
+  std::string first;
+  for (const int width : {90, 300}) {
+    const std::string name = fmt::format("w{}", width);
+    const std::string seen = played(
+        fmt::format(
+            "1\nwait\n:plot {}/{}<Enter>", folder_.path().string(), name),
+        {width, 60});
+    const std::string table = read(name + "-a.csv");
+    EXPECT_EQ(std::ranges::count(table, '\n'), 2561) << seen;
+    EXPECT_TRUE(holds(table, "\n1,20\n")) << table.substr(0, 200);
+    if (first.empty()) first = table;
+    EXPECT_EQ(table, first);
+  }
+}
+
+TEST_F(Plots, OfModesNameWhatTheyHold) {
+  const std::string seen = written_on(3);
+  std::string tables;
+  for (const std::string& name : names()) {
+    if (name.ends_with(".csv")) tables += read(name);
+  }
+  for (const char* heading : {"CMIF 1 [(m/s²)/N]",
+                              "stable pole f [Hz]",
+                              "grid,x [m],y [m],z [m]",
+                              "measured z"}) {
+    EXPECT_TRUE(holds(tables, heading)) << heading << "\n" << seen;
+  }
+  EXPECT_FALSE(holds(tables, "order 2")) << tables;
+}
+
+TEST_F(Plots, OfTheStructureHaveWhatItsMarksStandFor) {
+  EXPECT_TRUE(holds(written_on(4), "written: "));
+  EXPECT_TRUE(holds(written_on(5, "m\nwait"), "written: "));
+  std::string tables;
+  for (const std::string& name : names()) {
+    if (name.ends_with(".csv")) tables += read(name);
+  }
+  EXPECT_TRUE(holds(tables, "grid,x [m],y [m],z [m],error [%]")) << tables;
+  EXPECT_TRUE(holds(tables, "z [m],explains alone [%]")) << tables;
+}
+
 TEST_F(Plots, AreNeverWrittenOver) {
   folder_.write("p-b.csv", "mine");
   const std::string seen = written_on(2);

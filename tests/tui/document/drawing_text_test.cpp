@@ -50,6 +50,19 @@ TEST(DrawingTable, NamesCurvesWithoutANameAndPoints) {
             "1,5,3,7,1,4\n2,6,4,8,,\n");
 }
 
+TEST(DrawingTable, HoldsWhatCurvesAndGlyphsStandFor) {
+  Plot plot = two_curves();
+  plot.curves.erase(plot.curves.begin());
+  plot.curves[0].quantity = "CMIF 1 [m/N]";
+  plot.curves[0].numbers = Eigen::Vector3d(7, 8, 9);
+  plot.y = {"order", "", 0.0, 0.0, false};
+  plot.spots.push_back({1.0, 4.0, U's', {}});
+  plot.meanings = {{U's', "stable pole"}};
+  EXPECT_EQ(drawing_table(plot),
+            "f [Hz],CMIF 1 [m/N],stable pole f [Hz],stable pole order\n"
+            "1,7,1,4\n2,8,,\n3,9,,\n");
+}
+
 TEST(DrawingTable, APlaneHasBothCoordinates) {
   PlanePlot plane;
   plane.x_label = "Re H [m/N]";

@@ -68,6 +68,17 @@ TEST(SvgPlot, ALogarithmicAxisCountsDecades) {
   EXPECT_TRUE(holds(svg_plot(plot), "M62 276L364 154 666 32"));
 }
 
+// From 0.5 to 2 and back on an axis up to 1: it leaves after a third.
+TEST(SvgPlot, ACurveIsCutWhereItLeavesTheFrame) {
+  Plot plot =
+      line_plot(Eigen::Vector3d(0, 5, 10), Eigen::Vector3d(0.5, 2.0, 0.5));
+  plot.y = {"", "", 0.0, 1.0, false};
+  EXPECT_TRUE(holds(svg_plot(plot), "M62 154L162.7 32M565.3 32L666 154"))
+      << svg_plot(plot);
+  plot.curves[0].y = Eigen::Vector3d(-1.0, 2.0, 2.0);
+  EXPECT_TRUE(holds(svg_plot(plot), "M162.7 276L263.3 32\"")) << svg_plot(plot);
+}
+
 TEST(SvgPlot, WhatCannotBeDrawnIsAGap) {
   Eigen::VectorXd y(5);
   y << 1.0, 2.0, not_a_number, 2.0, 1.0;
