@@ -46,6 +46,20 @@ TEST_F(Screens, KeysWalkFromRecordingToReport) {
   }
 }
 
+// Neither is it kept nor is what was kept before taken up.
+TEST_F(Screens, ATourKeepsNothing) {
+  const auto session = bundle() / "session.json";
+  const std::filesystem::path script = fresh_folder() / "keys.txt";
+  write_file(script, "1\nwait\n<Space>\nwait\n");
+  const std::string tour =
+      fmt::format("tour '{}' --keys '{}'", bundle().string(), script.string());
+  const auto seen = run_tapfit(tour);
+  EXPECT_EQ(seen.exit_status, 0) << seen.err;
+  EXPECT_TRUE(holds(seen.out, "by hand") || holds(seen.out, "manually"))
+      << seen.out;
+  EXPECT_FALSE(std::filesystem::exists(session));
+}
+
 // What was undone is done again after the program was left and started anew,
 // and the report that a key writes is the one that the command line writes.
 TEST_F(Screens, WorkOutlivesTheProgram) {

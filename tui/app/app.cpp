@@ -67,6 +67,10 @@ Opened open_and_remember(const std::filesystem::path& bundle) {
   return opened;
 }
 
+Work work_of(const AppOptions& options) {
+  return options.tour ? Work::Forgotten : Work::Kept;
+}
+
 /// The bundle that the user picks, opened; none where the user leaves.
 Opened pick(Terminal& terminal, const AppOptions& options, bool ascii) {
   Picker picker(picker_start(), {terminal.width(), terminal.height(), ascii});
@@ -140,7 +144,7 @@ int run_in_terminal(Opened bench,
 int replay_keys(const std::filesystem::path& bundle,
                 const AppOptions& options,
                 bool ascii) {
-  Opened bench = open_session(bundle);
+  Opened bench = open_session(bundle, work_of(options));
   const std::vector<ScriptStep> steps = read_key_script(*options.keys_file);
   Program program(std::move(bench), {options.width, options.height, ascii});
   program.show_tour(options.tour);
@@ -151,8 +155,8 @@ int replay_keys(const std::filesystem::path& bundle,
 
 std::filesystem::path demonstration() {
   if (auto found = picker_start().demonstration) return *std::move(found);
-  throw InputError("is not beside this program",
-                   "the demonstration",
+  throw InputError("the demonstration is not installed with this program",
+                   "tapfit tour",
                    "name a test: tapfit tour BUNDLE");
 }
 
@@ -174,7 +178,11 @@ int run_app(const std::filesystem::path& asked, const AppOptions& options) {
   const bool ascii = glyphs == Glyphs::Ascii;
   if (options.keys_file) return replay_keys(bundle, options, ascii);
   Opened bench;
-  if (!bundle.empty()) bench = open_and_remember(bundle);
+  if (options.tour) {
+    bench = open_session(bundle, work_of(options));
+  } else if (!bundle.empty()) {
+    bench = open_and_remember(bundle);
+  }
   const Settings settings = read_settings(settings_file());
   std::unique_ptr<Terminal> terminal = open_terminal(options, settings, glyphs);
   if (bundle.empty()) bench = pick(*terminal, options, ascii);

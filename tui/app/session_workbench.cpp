@@ -17,11 +17,11 @@ namespace {
 
 class SessionWorkbench final : public Workbench {
  public:
-  explicit SessionWorkbench(const std::filesystem::path& bundle)
-      : bundle_(bundle),
-        session_(bundle, acquisition::Unreadable::LeftOut),
-        shared_(updating::session_file(session_.bundle())) {
-    if (const auto saved = shared_.news()) {
+  SessionWorkbench(const std::filesystem::path& bundle, Work work)
+      : bundle_(bundle), session_(bundle, acquisition::Unreadable::LeftOut) {
+    if (work == Work::Forgotten) return;
+    shared_.emplace(updating::session_file(session_.bundle()));
+    if (const auto saved = shared_->news()) {
       session_.take_up(*saved);
       hit_acts_ = {saved->overruled, saved->restored};
     }
@@ -126,8 +126,8 @@ class SessionWorkbench final : public Workbench {
 
   std::filesystem::path bundle_;
   updating::Session session_;
-  updating::SharedSession shared_;
-  updating::HitActs hit_acts_;  ///< when it was opened
+  std::optional<updating::SharedSession> shared_;  ///< where work is kept
+  updating::HitActs hit_acts_;                     ///< when it was opened
 };
 
 // Where nothing was added, the report adds what the diagnosis supports: in a
@@ -163,8 +163,9 @@ void SessionWorkbench::write(Output what,
 }
 
 std::optional<updating::HitActs> SessionWorkbench::catch_up(const Progress& p) {
+  if (!shared_) return std::nullopt;
   p("session of another window", 0.0);
-  const auto saved = shared_.news();
+  const auto saved = shared_->news();
   if (!saved) return std::nullopt;
   session_ = updating::Session(bundle_, acquisition::Unreadable::LeftOut);
   session_.take_up(*saved);
@@ -173,11 +174,12 @@ std::optional<updating::HitActs> SessionWorkbench::catch_up(const Progress& p) {
 
 Saving SessionWorkbench::save(const updating::HitActs& acts,
                               const Progress& p) {
+  if (!shared_) return {};
   try {
     updating::SavedSession saved = session_.saved(p);
     saved.overruled = acts.done;
     saved.restored = acts.undone;
-    return {!shared_.write(saved), {}};
+    return {!shared_->write(saved), {}};
   } catch (const InputError& error) {
     return {false, error.what()};
   }
@@ -185,8 +187,9 @@ Saving SessionWorkbench::save(const updating::HitActs& acts,
 
 }  // namespace
 
-std::unique_ptr<Workbench> open_session(const std::filesystem::path& bundle) {
-  return std::make_unique<SessionWorkbench>(bundle);
+std::unique_ptr<Workbench> open_session(const std::filesystem::path& bundle,
+                                        Work work) {
+  return std::make_unique<SessionWorkbench>(bundle, work);
 }
 
 }  // namespace tapfit::tui
