@@ -215,11 +215,12 @@ ShapeGraph shape_graph(const WeightedFrfs& curves,
                     "to get both",
                     graph.dofs.size()));
   }
-  if (std::ranges::count(graph.side, -1) > 0) {
+  if (const auto apart = std::ranges::count(graph.side, -1); apart > 0) {
     warnings.push_back(fmt::format(
-        "{} points share no hammer or sensor with the others and are left out "
-        "of the shapes",
-        std::ranges::count(graph.side, -1)));
+        "{} no hammer or sensor with the others and {} left out of "
+        "the shapes",
+        apart == 1 ? "1 point shares" : fmt::format("{} points share", apart),
+        apart == 1 ? "is" : "are"));
   }
   return graph;
 }

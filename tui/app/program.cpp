@@ -63,12 +63,14 @@ void Program::resize(int width, int height) {
   changed_ = true;
 }
 
-bool Program::lacks_model() const {
-  return known_.bundle && page().wants_model() && !known_.has_model;
+bool Program::lacks_input() const {
+  if (!known_.bundle) return false;
+  return (page().wants_model() && !known_.has_model) ||
+         !page().nothing_here(*known_.bundle).empty();
 }
 
 std::vector<KeyHelp> Program::page_keys() const {
-  if (lacks_model()) return page().keys_without_model();
+  if (lacks_input()) return page().keys_without_model();
   std::vector<KeyHelp> keys = page().keys();
   for (const char* command : {"plot", "copy"}) {
     for (const KeyBinding& usual : usual_bindings()) {
@@ -85,7 +87,7 @@ std::vector<KeyHelp> Program::page_keys() const {
 }
 
 bool Program::ready() const {
-  if (page().wants_model() && !known_.has_model) return false;
+  if (lacks_input()) return false;
   const std::vector<Need> needs = page().essential();
   return known_.bundle &&
          std::all_of(needs.begin(), needs.end(), [this](const Need& need) {
@@ -94,7 +96,7 @@ bool Program::ready() const {
 }
 
 std::optional<Need> Program::next_need() const {
-  if (!known_.bundle || lacks_model()) return std::nullopt;
+  if (!known_.bundle || lacks_input()) return std::nullopt;
   for (const Need& need : page().essential()) {
     if (known_.has(need)) continue;
     if (failed_.contains(need)) return std::nullopt;
@@ -280,7 +282,7 @@ void Program::press_normal(Key key) {
   if (!key.ctrl && ready()) {
     Command command;
     if (page().press(known_, key, command)) return carry_out(command);
-  } else if (!key.ctrl && lacks_model()) {
+  } else if (!key.ctrl && lacks_input()) {
     Command command;
     if (page().press_without_model(key, command)) return carry_out(command);
   }

@@ -134,8 +134,8 @@ class Program {
   void act(Job job);
   /// What runs is what the user asked for, and not a screen's need.
   [[nodiscard]] bool acting() const { return running_ && !running_need_; }
-  /// The screen is about a model, and the bundle has none.
-  [[nodiscard]] bool lacks_model() const;
+  /// The screen is about what the bundle does not have: a model, recordings.
+  [[nodiscard]] bool lacks_input() const;
   /// Those that do something now.
   [[nodiscard]] std::vector<KeyHelp> page_keys() const;
   void retry();

@@ -93,7 +93,8 @@ std::vector<Drawing> Program::plotted() const {
 }
 
 std::string Program::why_no_plot() const {
-  if (lacks_model()) return "nothing is plotted here without a model";
+  if (lacks_input())
+    return "nothing is plotted here: the test has no such data";
   if (!known_.bundle) return "nothing is plotted yet: the bundle is opened";
   const auto missing = [this](const std::vector<Need>& needs) {
     return std::ranges::find_if(

@@ -166,7 +166,11 @@ Screen Program::waiting(const Canvas& canvas) const {
     draw_text_box(
         screen, title, wrapped(words, std::min(canvas.width - 8, 72)), {});
   };
-  if (lacks_model()) {
+  if (lacks_input() && !page().wants_model()) {
+    say(page().title(), page().nothing_here(*known_.bundle));
+    return screen;
+  }
+  if (lacks_input()) {
     say(page().title(),
         "This bundle has no model, so there is nothing to compare with. "
         "Recording (1), FRFs (2) and modes (3) need none.\n \nTo go on, put "
@@ -252,7 +256,7 @@ void Program::draw_line(Screen& screen, int y) const {
   }
   if (shown_.busy) return draw_work(screen, y);
   const std::string words = filter_words() + (boxed() ? "" : message_);
-  if (words.empty() && (ready() || lacks_model())) {
+  if (words.empty() && (ready() || lacks_input())) {
     screen.text(
         1, y, step_words(current_, known_), {.colour = Colour::Grey}, width);
     return;

@@ -63,6 +63,11 @@ class Page {
   [[nodiscard]] virtual std::string title() const = 0;
   /// True for screens that are about the model.
   [[nodiscard]] virtual bool wants_model() const { return false; }
+  /// Why the screen has nothing to show of such a bundle; empty where it has.
+  [[nodiscard]] virtual std::string nothing_here(
+      const acquisition::TestBundle&) const {
+    return {};
+  }
   /// Results without which there is nothing to draw, in order.
   [[nodiscard]] virtual std::vector<Need> essential() const = 0;
   /// Whether it can do without one of them until it is there, with what was

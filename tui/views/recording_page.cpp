@@ -38,6 +38,15 @@ RecordingInput input_of(const Snapshot& known) {
 
 }  // namespace
 
+std::string RecordingPage::nothing_here(
+    const acquisition::TestBundle& bundle) const {
+  if (!bundle.runs.empty()) return {};
+  return bundle.modes ? "The test consists of modes: it has no recordings. 3 "
+                        "shows the modes."
+                      : "The test consists of ready FRFs: it has no "
+                        "recordings, and no hits to judge. 2 shows the FRFs.";
+}
+
 std::vector<Need> RecordingPage::essential() const {
   return {{Stage::Traces}, {Stage::Hits}};
 }

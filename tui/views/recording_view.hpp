@@ -17,6 +17,8 @@ namespace tapfit::tui {
 class RecordingPage final : public Page {
  public:
   std::string title() const override { return "Recording"; }
+  std::string nothing_here(
+      const acquisition::TestBundle& bundle) const override;
   std::vector<Need> essential() const override;
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;

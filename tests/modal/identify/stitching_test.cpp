@@ -141,6 +141,13 @@ TEST(Stitching, SaysWhatCannotBeScaledOrReached) {
     return text.find("2 points share no hammer or sensor") != std::string::npos;
   });
   EXPECT_TRUE(said);
+  pairs.pop_back();
+  pairs.push_back({11, 11, 20});
+  const modal::ModeSet alone =
+      modal::identify_modes(measured(system, pairs, 0.0), {});
+  EXPECT_THAT(alone.warnings,
+              testing::Contains(HasSubstr("1 point shares no hammer or sensor "
+                                          "with the others and is left out")));
 }
 
 }  // namespace

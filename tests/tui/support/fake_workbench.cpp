@@ -21,7 +21,10 @@ class FakeWorkbench final : public Workbench {
  public:
   explicit FakeWorkbench(const FakeOptions& options)
       : options_(options), added_(options.left_with) {
-    if (options.ready_frfs) bundle_.frfs = bundle_.folder / "measured.uff";
+    if (options.ready_frfs) {
+      bundle_.frfs = bundle_.folder / "measured.uff";
+      bundle_.runs.clear();
+    }
     if (options.unreadable) recordings_[1].samples.resize(0, 0);
     if (options.unreadable || options.hitless) hits_.runs[1].clear();
   }
