@@ -79,21 +79,35 @@ std::string work_text(const WorkerStatus& status) {
   return text;
 }
 
-/// Whole seconds since the job began, once they are worth telling.
-std::string elapsed_text(const WorkerStatus& status) {
-  const auto seconds = seconds_of(status);
-  if (seconds < 3) return {};
-  if (seconds < 60) return fmt::format(", {} s", seconds);
-  return fmt::format(", {} min {} s", seconds / 60, seconds % 60);
+std::string seconds_text(double seconds) {
+  const auto whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  return fmt::format("{} min {} s", whole / 60, whole % 60);
+}
+
+/// Of how long it takes, once that is worth telling; the fullest words first.
+std::vector<std::string> time_texts(const WorkerStatus& status) {
+  const auto now = std::chrono::steady_clock::now();
+  const double spent_s =
+      std::chrono::duration<double>(now - status.since).count();
+  if (spent_s < 3.0) return {""};
+  const std::string spent = ", " + seconds_text(spent_s) + " elapsed";
+  const auto left_s = stage_left_s(status, now);
+  if (!left_s || *left_s < 1.0) return {spent};
+  const std::string left = ", about " + seconds_text(*left_s) + " left";
+  return {spent + left + " of this step", spent + left, spent};
 }
 
 /// A long name is cut, how far it is and for how long are not.
 std::string progress_text(const WorkerStatus& status, int room) {
   const int percents = static_cast<int>(std::lround(100 * status.fraction));
   const std::string what = work_text(status);
-  const std::string far = fmt::format("{} %{}", percents, elapsed_text(status));
-  std::string whole = fmt::format("{} … {}", what, far);
-  if (text_width(whole) <= room) return whole;
+  std::string far;
+  for (const std::string& time : time_texts(status)) {
+    far = fmt::format("{} %{}", percents, time);
+    std::string whole = fmt::format("{} … {}", what, far);
+    if (text_width(whole) <= room) return whole;
+  }
   return clipped(what, room - text_width(far) - 1) + " " + far;
 }
 

@@ -194,6 +194,17 @@ Job make(const Need& need) {
           need};
 }
 
+std::optional<double> stage_left_s(const WorkerStatus& status,
+                                   std::chrono::steady_clock::time_point now) {
+  constexpr double least_s = 3.0;
+  constexpr double least_done = 0.05;
+  const double spent_s =
+      std::chrono::duration<double>(now - status.stage_since).count();
+  const double done = status.fraction - status.stage_from;
+  if (spent_s < least_s || done < least_done) return std::nullopt;
+  return spent_s * (1.0 - status.fraction) / done;
+}
+
 Worker::Worker(std::unique_ptr<Workbench> bench) : bench_(std::move(bench)) {
   known_.bundle = shared(bench_->bundle());
   known_.has_model = bench_->has_model();
@@ -236,12 +247,16 @@ std::optional<Finished> Worker::take_finished() {
 
 void Worker::report(std::string_view stage, double fraction) {
   const std::lock_guard lock(mutex_);
-  if (!status_.stage.empty() && status_.stage != stage) {
-    note_done(status_.done, status_.stage);
+  const double far =
+      std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+  const bool other = status_.stage != stage;
+  if (!status_.stage.empty() && other) note_done(status_.done, status_.stage);
+  if (other || far < status_.fraction) {
+    status_.stage_since = std::chrono::steady_clock::now();
+    status_.stage_from = far;
   }
   status_.stage = stage;
-  status_.fraction =
-      std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
+  status_.fraction = far;
 }
 
 void Worker::loop(const std::stop_token& leave) {

@@ -50,7 +50,15 @@ struct WorkerStatus {
   std::shared_ptr<const updating::LiveFit> live = {};  ///< after the last step
   /// Of a diagnosis: what it has tried so far; no verdict.
   std::shared_ptr<const updating::Diagnosis> tried = {};
+  /// When the stage was first reported, and how far it was then.
+  std::chrono::steady_clock::time_point stage_since{};
+  double stage_from = 0.0;
 };
+
+/// Seconds until the stage ends, if it goes on as fast as so far; empty while
+/// it has hardly begun.
+[[nodiscard]] std::optional<double> stage_left_s(
+    const WorkerStatus& status, std::chrono::steady_clock::time_point now);
 
 class Worker {
  public:

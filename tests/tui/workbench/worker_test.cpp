@@ -29,6 +29,21 @@ TEST(Worker, HandsOverTheBundleAtOnce) {
   EXPECT_TRUE(end->snapshot.has_model);
 }
 
+// From 10 to 40 % in six seconds: the other 60 % take twelve.
+TEST(Worker, TellsHowLongAStageWillTake) {
+  using std::chrono::seconds;
+  WorkerStatus status;
+  status.stage_since = std::chrono::steady_clock::now();
+  status.stage_from = 0.1;
+  status.fraction = 0.4;
+  const auto left = stage_left_s(status, status.stage_since + seconds(6));
+  ASSERT_TRUE(left.has_value());
+  EXPECT_NEAR(*left, 12.0, 1e-9);
+  EXPECT_FALSE(stage_left_s(status, status.stage_since + seconds(1)));
+  status.fraction = 0.12;
+  EXPECT_FALSE(stage_left_s(status, status.stage_since + seconds(6)));
+}
+
 TEST(Worker, MakesAResult) {
   Worker worker(testing::fake_workbench());
   (void)worker.take_finished();
