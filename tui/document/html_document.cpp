@@ -52,7 +52,8 @@ figure.wide svg{min-width:30rem}
 .cards td:first-child{font-weight:600}.cards td:empty{display:none}
 .cards td::before{content:attr(data-n);flex:0 0 8rem;color:#555;
 font-weight:400}
-.scroll:not(.cards):not(.facts) td{white-space:nowrap}
+.scroll th{white-space:normal}.scroll td,.scroll th{padding-right:.55rem}
+figure.wide svg text{font-size:16px}
 h1{font-size:1.35rem}.verdict{font-size:1rem}}
 @media print{html{font-size:9pt}
 body{font-size:1rem;line-height:1.4;max-width:none;padding:0}
@@ -157,16 +158,19 @@ std::string row_of(const std::vector<std::string>& cells,
 /// Rows that stay on one sheet of paper.
 bool is_short(const DataTable& table) { return table.rows.size() <= 12; }
 
-/// One row of words alone is a list of facts. Few rows with words in them
-/// become cards, their cells one below the other, where there is no room for
-/// columns.
+/// One row of words alone is a list of facts. Few rows with words in them, or
+/// of many columns, become cards, their cells one below the other, where there
+/// is no room for columns.
 enum class Shape { Rows, Facts, Cards };
 Shape shape_of(const DataTable& table) {
   const auto columns = std::ssize(table.heading);
   const auto words = std::ranges::count_if(
       table.heading,
       [](const std::string& heading) { return column_name(heading).left; });
-  if (columns < 3 || words < 2 || !is_short(table)) return Shape::Rows;
+  constexpr std::ptrdiff_t most = 6;  // of numbers, beside each other
+  if (columns < 3 || (words < 2 && columns <= most) || !is_short(table)) {
+    return Shape::Rows;
+  }
   const bool facts = table.rows.size() == 1 && words == columns;
   return facts ? Shape::Facts : Shape::Cards;
 }

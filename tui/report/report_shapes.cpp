@@ -61,16 +61,27 @@ std::map<int, std::set<std::string>> sensor_nodes(const ReportData& data) {
   return nodes;
 }
 
+/// Where an effect sits; of a channel's the points of its sensors.
+std::set<int> nodes_at(const ReportData& data, const updating::Location& at) {
+  std::set<int> nodes(at.nodes.begin(), at.nodes.end());
+  if (at.node != 0) nodes.insert(at.node);
+  const std::vector<int> corners = element_grids(data.model->deck, at.elements);
+  nodes.insert(corners.begin(), corners.end());
+  if (at.channels.empty()) return nodes;
+  for (const auto& [node, names] : sensor_nodes(data)) {
+    if (std::ranges::find_first_of(names, at.channels) != names.end()) {
+      nodes.insert(node);
+    }
+  }
+  return nodes;
+}
+
 /// Grids where something was found: few, each by itself.
 std::set<int> found_nodes(const ReportData& data) {
   std::set<int> nodes;
   if (!data.model) return nodes;
   for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
-    if (rung.where.node != 0) nodes.insert(rung.where.node);
-    nodes.insert(rung.where.nodes.begin(), rung.where.nodes.end());
-    const std::vector<int> corners =
-        element_grids(data.model->deck, rung.where.elements);
-    nodes.insert(corners.begin(), corners.end());
+    nodes.merge(nodes_at(data, rung.where));
   }
   return nodes;
 }
@@ -79,9 +90,8 @@ std::set<int> found_nodes(const ReportData& data) {
 std::string found_at_places(const ReportData& data) {
   std::vector<std::string> names;
   for (const updating::Rung& rung : effect_rungs(data.model->ladder)) {
-    const updating::Location& where = rung.where;
-    if (where.node != 0 || !where.nodes.empty() || !where.elements.empty()) {
-      names.push_back(found_words(rung.added, where));
+    if (!nodes_at(data, rung.where).empty()) {
+      names.push_back(found_words(rung.added, rung.where));
     }
   }
   return enumerated(names);
@@ -91,19 +101,21 @@ Figure sketch(const ReportData& data, const Wireframe& wire) {
   SvgStructure picture;
   picture.name = "structure with hit points and sensors";
   const std::set<int> found = found_nodes(data);
-  for (const int node : found) {
-    picture.marks.push_back({node,
-                             found.size() == 1 ? "found" : "",
-                             ink::green,
-                             found.size() < 10 ? 6.5 : 4.5});
-  }
   const auto sensors = sensor_nodes(data);
+  for (const int node : found) {
+    const bool named = found.size() == 1 && !sensors.contains(node);
+    picture.marks.push_back({node,
+                             named ? "found" : "",
+                             ink::green,
+                             found.size() < 10 ? 9.0 : 4.5});
+  }
   constexpr std::size_t few = 12;
   for (const auto& [node, names] : sensors) {
     std::string label;
     for (const std::string& one : names) {
       label += (label.empty() ? "" : ", ") + one;
     }
+    if (found.contains(node) && found.size() == 1) label += ": found";
     picture.marks.push_back(
         {node, sensors.size() <= few ? label : "", ink::blue, 6.0});
   }

@@ -49,6 +49,9 @@ TEST(HtmlDocument, KeepsRowsOfNumbersAndLongTablesInColumns) {
   EXPECT_FALSE(holds(html_of_table(numbers), "data-n=\""));
   numbers.heading[1] = "<b";
   EXPECT_TRUE(holds(html_of_table(numbers), "data-n=\""));
+  numbers.heading[1] = "b";
+  numbers.heading.resize(7, "c");
+  EXPECT_TRUE(holds(html_of_table(numbers), "data-n=\""));
   numbers.rows.resize(13, numbers.rows.front());
   EXPECT_FALSE(holds(html_of_table(numbers), "data-n=\""));
 }
@@ -59,6 +62,18 @@ TEST(HtmlDocument, NumbersItsPagesUnderItsTitle) {
   EXPECT_TRUE(holds(html, "counter(page) \" of \" counter(pages)"));
   EXPECT_TRUE(holds(html, "content:\"Frame \\3c 1> & \\22 2\\22  · tested\""))
       << html.substr(0, 600);
+}
+
+// 390 px: words wrap, so that numbers beside them have room, and the labels of
+// pictures stay legible.
+TEST(HtmlDocument, FitsATelephone) {
+  const std::string html = as_html(small_document());
+  const std::size_t begin = html.find("@media(max-width:600px)");
+  const std::string rules =
+      html.substr(begin, html.find("@media print") - begin);
+  EXPECT_TRUE(holds(rules, ".scroll th{white-space:normal}")) << rules;
+  EXPECT_FALSE(holds(rules, "td{white-space:nowrap}")) << rules;
+  EXPECT_TRUE(holds(rules, "figure.wide svg text{font-size:16px}")) << rules;
 }
 
 TEST(HtmlDocument, NoTitleEndsItsStyles) {

@@ -317,6 +317,23 @@ TEST(ReportDocument, SaysWhatTheSketchMarks) {
       << sketch->caption;
 }
 
+// A channel's mistake is where its sensor was.
+TEST(ReportDocument, MarksTheSensorOfAChannelThatIsWrong) {
+  ReportData data = data_of_two_effects();
+  data.model->ladder.resize(1);
+  data.model->ladder.push_back({"channel-gain",
+                                {.channels = {"acc1"}},
+                                0.01,
+                                {{"gain", 1.15, 0.002, 1.146, 1.154}}});
+  const auto figures = figures_of(report_document(data));
+  const auto sketch =
+      std::ranges::find(figures, std::string("set-up"), &Figure::name);
+  ASSERT_NE(sketch, figures.end());
+  EXPECT_TRUE(holds(sketch->caption, "Green: wrong sensitivity of a channel"))
+      << sketch->caption;
+  EXPECT_TRUE(holds(sketch->svg, "acc1: found")) << sketch->svg;
+}
+
 TEST(ReportDocument, NamesEachPictureOnce) {
   std::set<std::string> names;
   const auto figures = figures_of(report_document(data_of_two_effects()));
