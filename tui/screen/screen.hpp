@@ -61,19 +61,21 @@ struct Rect {
   }
 };
 
-/// Where a click means something: a row of a list, a place along a plot's x
-/// axis, a key of the key bar, an entry of a map, a command of the palette.
+/// Where a click means something: a row of a list, a column's heading, a place
+/// along a plot's x axis, a key of the key bar, an entry of a map, a command of
+/// the palette.
 struct Zone {
-  enum class Kind { Row, PlotX, Key, Entry, Command };
+  enum class Kind { Row, Heading, PlotX, Key, Entry, Command };
   Rect rect;
   Kind kind = Kind::Row;
   /// Of the row (also of an entry's) or of the command, or the key.
   std::size_t index = 0;
-  std::size_t column = 0;  ///< of the entry
+  std::size_t column = 0;  ///< of the entry; of a heading 1: of numbers
   std::size_t pane = 0;    ///< which of several lists or maps it is in
   double from = 0.0;       ///< x at the first and at the last column of cells
   double to = 0.0;
   bool log = false;
+  std::string name = {};  ///< of a heading's column
 
   /// The value under that column of cells.
   [[nodiscard]] double value_at(int x) const;

@@ -45,10 +45,18 @@ std::string brief_place(const updating::Location& where, int width) {
                  width);
 }
 
-/// What the columns before the last leave of the screen.
+/// Of different effects sizes do not compare.
+const Column size_column{"size", false, false, ""};
+
+std::size_t column_of(const Table& table, const char* title) {
+  const auto at = std::ranges::find(table.columns, title, &Column::title);
+  return static_cast<std::size_t>(at - table.columns.begin());
+}
+
+/// What the columns before it leave of the screen.
 int room_for_size(const Table& table, int width, bool ascii) {
   int used = 2;
-  for (std::size_t c = 0; c + 1 < table.columns.size(); ++c) {
+  for (std::size_t c = 0; c < column_of(table, "size"); ++c) {
     int widest = text_width(table.columns[c].title);
     for (const Row& row : table.rows) {
       widest = std::max(widest, text_width(row.cells[c]));
@@ -75,7 +83,7 @@ Table wide_table(const updating::Diagnosis& d, bool ascii) {
                {"where"},
                {"error", true},
                {"hold-out error", true},
-               {"size"}},
+               size_column},
               {}};
   for (const Candidate& c : d.candidates) {
     const auto probable = probability_cells(d, c, 8, ascii);
@@ -85,20 +93,22 @@ Table wide_table(const updating::Diagnosis& d, bool ascii) {
                            c.effect,
                            brief_place(c.where, 24),
                            percent(c.error),
-                           left_out(c)},
+                           left_out(c),
+                           ""},
                           {}});
   }
   return table;
 }
 
 Table narrow_table(const updating::Diagnosis& d, bool ascii) {
-  Table table{{{"#", true},
-               {"prob.", true},
+  Table table{{{"#", true, false, "rung"},
+               {"prob.", true, false, "probability"},
                {"", false, true},
                {"effect"},
                {"where"},
                {"error", true},
-               {"size"}},
+               size_column,
+               {"hold-out error", true}},
               {}};
   for (const Candidate& c : d.candidates) {
     const auto probable = probability_cells(d, c, 4, ascii);
@@ -107,7 +117,9 @@ Table narrow_table(const updating::Diagnosis& d, bool ascii) {
                            probable[1],
                            c.effect,
                            brief_place(c.where, 13),
-                           percent(c.error)},
+                           percent(c.error),
+                           "",
+                           left_out(c)},
                           {}});
   }
   return table;
@@ -146,6 +158,7 @@ Table candidate_table(const updating::Diagnosis& d,
                       int width,
                       bool ascii) {
   Table table = is_wide(width) ? wide_table(d, ascii) : narrow_table(d, ascii);
+  table.sortable = true;
   for (std::size_t i = 0; i < d.candidates.size(); ++i) {
     if (is_in(tagged, d.candidates[i])) table.rows[i].cells[0].insert(0, "*");
   }
@@ -158,11 +171,15 @@ Table candidate_table(const updating::Diagnosis& d,
     drop_bars(table);
     room = room_for_size(table, width, ascii);
   }
+  const std::size_t size = column_of(table, "size");
+  const std::size_t where = column_of(table, "where");
   for (std::size_t i = 0; i < d.candidates.size(); ++i) {
-    table.rows[i].cells.push_back(
-        first_size(d.candidates[i], is_wide(width), room));
+    Row& row = table.rows[i];
+    row.cells[size] = first_size(d.candidates[i], is_wide(width), room);
+    row.keys = row.cells;
+    row.keys[where] = place(d.candidates[i].where);
     if (!d.candidates[i].indistinguishable_from.empty()) {
-      table.rows[i].style.colour = Colour::Yellow;
+      row.style.colour = Colour::Yellow;
     }
   }
   return table;

@@ -103,7 +103,8 @@ void ComparePage::enter(const CompareInput& input, Command& command) {
     const double high = 1.1 * std::fmax(mode.measured_hz, mode.model_hz);
     const std::size_t best = loudest(input.frfs, low, high);
     if (!looks_at(low, high)) {
-      state_.list = {best, ""};
+      state_.list.selected = best;
+      state_.list.filter.clear();
       return look_at(input, low, high);
     }
     hz = mode.hz();
@@ -121,13 +122,26 @@ void ComparePage::enter(const CompareInput& input, Command& command) {
     const std::size_t before = settled(compared_frfs(input), state_.list);
     const std::size_t worst = worst_of(input, node, before);
     if (worst != before) {
-      state_.list = {worst, ""};
+      state_.list.selected = worst;
+      state_.list.filter.clear();
       return;
     }
   }
   command.kind = Command::Kind::ShowFrf;
   command.frf = settled(compared_frfs(input), state_.list);
   command.hz = hz;
+}
+
+/// Of modes and MAC the modes; else the FRFs.
+bool ComparePage::sort(const CompareInput& input, Key key, Command& command) {
+  const bool modes = state_.focus == Focus::Pairs ||
+                     state_.focus == Focus::Mac || input.frfs.frfs.empty();
+  return modes ? sort_key(state_.pairs,
+                          compared_table(compared_modes(input)),
+                          key,
+                          command.message)
+               : sort_key(
+                     state_.list, compared_frfs(input), key, command.message);
 }
 
 bool ComparePage::move(const CompareInput& input, Key key) {
@@ -161,7 +175,7 @@ bool ComparePage::press_modes_alone(const CompareInput& input,
   } else if (key == keys::enter && on_mac) {
     enter(input, command);
   } else if (key != keys::enter) {
-    return move(input, key);
+    return move(input, key) || sort(input, key, command);
   }
   return true;
 }
@@ -177,7 +191,8 @@ bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
         static_cast<Focus>((static_cast<int>(state_.focus) + 1) % all);
   } else if (key == keys::enter) {
     enter(input, command);
-  } else if (!move(input, key) && !pose_key(state_.pose, key)) {
+  } else if (!move(input, key) && !sort(input, key, command) &&
+             !pose_key(state_.pose, key)) {
     const FrequencySpan span = frequency_span(*known.frfs);
     return range_key(
         state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
@@ -193,11 +208,14 @@ bool ComparePage::click(const Snapshot& known, const Zone& zone, int x) {
     state_.mac_column = zone.column;
   } else if (zone.kind == Zone::Kind::Entry) {
     state_.focus = Focus::Map;
-    state_.list.selected = zone.index;
+    state_.list.selected = frf_order(input_of(known), state_.list)[zone.index];
     state_.band = zone.column;
   } else if (zone.kind == Zone::Kind::Row && pane == Focus::Pairs) {
     state_.focus = Focus::Pairs;
     state_.pairs.selected = zone.index;
+  } else if (zone.kind == Zone::Kind::Heading && pane == Focus::Pairs) {
+    state_.focus = Focus::Pairs;
+    sort_by_heading(state_.pairs, zone);
   } else {
     return Page::click(known, zone, x);
   }
@@ -213,6 +231,7 @@ std::vector<KeyHelp> ComparePage::keys() const {
   return {{"Tab", "next pane"},
           {"j k h l", what},
           {"Enter", state_.focus == Focus::Mac ? "open modes" : "open FRF"},
+          {"s", "sort"},
           {"x", "log/lin/dB"},
           {"+ -", "zoom"},
           {"_", "whole band"},
@@ -232,7 +251,9 @@ std::string ComparePage::help() const {
          "(which FRF fails in which band), the modes, the MAC and the "
          "structure (which point); where the window is wide they all stand "
          "beside each other. Enter shows the curves behind the number "
-         "that is marked, once more the FRF by itself; Esc comes back.";
+         "that is marked, once more the FRF by itself; Esc comes back. s sorts "
+         "the FRFs by error or FRAC (the modes while their list is marked), a "
+         "click on a heading does so, too.";
 }
 
 }  // namespace tapfit::tui

@@ -66,21 +66,24 @@ void anchor(HeatMap& map, double floor) {
 void draw_error_map(Screen& screen,
                     const Rect& rect,
                     const CompareInput& input,
-                    std::size_t selected,
+                    const ListState& list,
                     std::size_t band,
                     bool focused) {
   const updating::Comparison& c = input.comparison;
   if (c.frf_band_error.size() == 0) return;
   HeatMap map;
   map.title = "error [%] by band (upper edge, Hz)";
-  map.values = c.frf_band_error;
-  for (const signal::Frf& frf : input.frfs.frfs) {
-    map.row_names.push_back(signal::name(frf));
+  const std::vector<std::size_t> order = frf_order(input, list);
+  map.values = c.frf_band_error(order, Eigen::all);
+  for (const std::size_t frf : order) {
+    map.row_names.push_back(signal::name(input.frfs.frfs[frf]));
   }
   name_bands(map, rect, c.bands);
   anchor(map, c.floor);
   const int rows = rect.height - 2;
-  map.selected = static_cast<int>(selected);
+  const std::size_t selected = settled(compared_frfs(input), list);
+  map.selected =
+      static_cast<int>(std::ranges::find(order, selected) - order.begin());
   if (focused) map.column = static_cast<int>(band);
   map.top = std::clamp(map.selected - rows / 2,
                        0,
@@ -282,6 +285,7 @@ void draw_curves(Screen& screen,
 
 Table compared_frfs(const CompareInput& input) {
   Table table{{{"FRF"}, {"error", true}, {"FRAC", true}}, {}};
+  table.sortable = true;
   for (std::size_t i = 0; i < input.frfs.frfs.size(); ++i) {
     table.rows.push_back({{signal::name(input.frfs.frfs[i]),
                            percent(value_or_nan(input.comparison.frf_error, i)),
@@ -289,6 +293,13 @@ Table compared_frfs(const CompareInput& input) {
                           {}});
   }
   return table;
+}
+
+std::vector<std::size_t> frf_order(const CompareInput& input,
+                                   const ListState& list) {
+  ListState all = list;
+  all.filter.clear();
+  return visible_rows(compared_frfs(input), all);
 }
 
 std::vector<std::pair<int, double>> worst_points(
@@ -338,7 +349,7 @@ Screen compare_view(const CompareInput& input,
   const int pane = canvas.width < all_at_once ? 40 : 84;
   const auto [map, right] = split_left(rest, rest.width - pane);
   draw_error_map(
-      screen, map, input, selected, state.band, state.focus == Focus::Map);
+      screen, map, input, state.list, state.band, state.focus == Focus::Map);
   if (canvas.width < all_at_once) {
     draw_right(screen, right, input, state);
     draw_curves(screen, lower, input, state, selected);

@@ -38,6 +38,10 @@ struct CompareState {
 
 [[nodiscard]] Table compared_frfs(const CompareInput& input);
 
+/// All FRFs in the order of that list, whatever its filter hides.
+[[nodiscard]] std::vector<std::size_t> frf_order(const CompareInput& input,
+                                                 const ListState& list);
+
 class ComparePage final : public Page {
  public:
   explicit ComparePage(MagnitudeScale scale) { state_.scale = scale; }
@@ -63,6 +67,7 @@ class ComparePage final : public Page {
 
  private:
   bool move(const CompareInput& input, Key key);
+  bool sort(const CompareInput& input, Key key, Command& command);
   bool press_modes_alone(const CompareInput& input, Key key, Command& command);
   void enter(const CompareInput& input, Command& command);
   void look_at(const CompareInput& input, double low_hz, double high_hz);

@@ -73,6 +73,7 @@ Table compared_table(const std::vector<ComparedMode>& modes) {
                {"error %", true},
                {"MAC", true}},
               {}};
+  table.sortable = true;
   for (const ComparedMode& mode : modes) {
     Style style;
     if (!(mode.mac >= 0.9)) style.colour = Colour::Orange;

@@ -221,6 +221,7 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     return true;
   }
   if (list_key(state_.list, table, key)) return true;
+  if (sort_key(state_.list, table, key, command.message)) return true;
   if (pose_key(state_.pose, key)) return true;
   for (const auto& [node, signature] : known.signatures) {
     const Eigen::VectorXd& f = signature->frequency_hz;
@@ -238,6 +239,7 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
           {"t", "tag"},
           {"i", "notes"},
           {"m", state_.map ? "place" : "map"},
+          {"s", "sort"},
           {"f", "all laws"},
           {"u", "undo"},
           {"^R", "redo"},

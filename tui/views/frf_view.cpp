@@ -26,6 +26,7 @@ using Panel = FrfState::Panel;
 
 Table frf_table(const FrfSet& frfs, const std::set<std::size_t>& tagged) {
   Table table{{{"FRF"}, {"coh", true}, {"sd %", true}, {"hits", true}}, {}};
+  table.sortable = true;
   const std::vector<signal::FrfQuality> quality =
       signal::frf_quality(frfs, std::nullopt);
   for (std::size_t i = 0; i < frfs.frfs.size(); ++i) {

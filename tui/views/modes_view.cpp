@@ -298,6 +298,7 @@ int draw_warning(Screen& screen, const ModesInput& input) {
 Table mode_table(const modal::ModeSet& modes) {
   Table table{{{"#", true}, {"f Hz", true}, {"damping %", true}, {"MPC", true}},
               {}};
+  table.sortable = true;
   for (std::size_t i = 0; i < modes.modes.size(); ++i) {
     const modal::Mode& mode = modes.modes[i];
     table.rows.push_back(

@@ -94,7 +94,7 @@ class Page {
   virtual ListState* list() { return nullptr; }
   /// The stretch of a plot that a click sets the cursor of.
   virtual PlotRange* range() { return nullptr; }
-  /// What a click means: a row is selected, the cursor is set.
+  /// What a click means: a row is selected, rows are sorted, the cursor is set.
   /// @return false when it means nothing here
   virtual bool click(const Snapshot& known, const Zone& zone, int x);
   /// Results are about to change: what was selected is to stay so, wherever it
@@ -119,6 +119,10 @@ inline bool Page::click(const Snapshot&, const Zone& zone, int x) {
   }
   if (zone.kind == Zone::Kind::Row && list() != nullptr) {
     list()->selected = zone.index;
+    return true;
+  }
+  if (zone.kind == Zone::Kind::Heading && list() != nullptr) {
+    sort_by_heading(*list(), zone);
     return true;
   }
   return false;

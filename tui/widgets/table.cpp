@@ -80,22 +80,45 @@ void draw_cells(Screen& screen,
   }
 }
 
+/// A click on a title, or on the gap behind it.
+void add_heading_zones(Screen& screen,
+                       const Rect& line,
+                       const std::vector<int>& widths,
+                       const Table& table) {
+  int x = line.x;
+  for (std::size_t c = 0; c < widths.size(); ++c) {
+    const Column& column = table.columns[c];
+    if (!column.name().empty()) {
+      Zone zone{.rect = {x, line.y, widths[c] + 1, 1},
+                .kind = Zone::Kind::Heading};
+      zone.name = column.name();
+      zone.column = column.right ? 1 : 0;
+      screen.zone(zone);
+    }
+    x += widths[c] + 2;
+  }
+}
+
 const std::string& cell(const Row& row, std::size_t column) {
   static const std::string none;
   return column < row.cells.size() ? row.cells[column] : none;
+}
+
+const std::string& sorting_cell(const Row& row, std::size_t column) {
+  return column < row.keys.size() ? row.keys[column] : cell(row, column);
 }
 
 /// Of all columns where there is none.
 std::size_t sorting_column(const Table& table, const ListState& state) {
   if (state.sorted_by.empty()) return table.columns.size();
   const auto found =
-      std::ranges::find(table.columns, state.sorted_by, &Column::title);
+      std::ranges::find(table.columns, state.sorted_by, &Column::name);
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-/// "<0.001" and "+9.12 %" are numbers, "–" is none.
+/// "<0.001", "+9.12 %" and, tagged, "*1" are numbers, "–" is none.
 std::optional<double> number_of(const std::string& text) {
-  const std::size_t first = text.find_first_not_of("< ");
+  const std::size_t first = text.find_first_not_of("<* ");
   if (first == std::string::npos) return std::nullopt;
   const char* begin = text.c_str() + first;
   char* end = nullptr;
@@ -167,8 +190,8 @@ std::vector<std::size_t> visible_rows(const Table& table,
   const std::size_t column = sorting_column(table, state);
   if (column == table.columns.size()) return rows;
   std::ranges::stable_sort(rows, [&](std::size_t a, std::size_t b) {
-    return stands_above(cell(table.rows[a], column),
-                        cell(table.rows[b], column),
+    return stands_above(sorting_cell(table.rows[a], column),
+                        sorting_cell(table.rows[b], column),
                         table.columns[column].right,
                         state.rising);
   });
@@ -244,13 +267,27 @@ bool sort_key(ListState& state,
     state.rising = true;
   } else {
     state.rising = false;
-    const std::size_t next = at == count ? 0 : at + 1;
-    state.sorted_by = next < count ? table.columns[next].title : "";
+    std::size_t next = at == count ? 0 : at + 1;
+    while (next < count && table.columns[next].name().empty()) ++next;
+    state.sorted_by = next < count ? table.columns[next].name() : "";
   }
   told = state.sorted_by.empty() ? "not sorted"
                                  : "sorted by " + state.sorted_by +
                                        (state.rising ? ", rising" : "");
   return true;
+}
+
+void sort_by_heading(ListState& state, const Zone& heading) {
+  const bool numbers = heading.column != 0;
+  if (state.sorted_by != heading.name) {
+    state.sorted_by = heading.name;
+    state.rising = false;
+  } else if (numbers && !state.rising) {
+    state.rising = true;
+  } else {
+    state.sorted_by.clear();
+    state.rising = false;
+  }
 }
 
 void draw_table(Screen& screen,
@@ -266,6 +303,8 @@ void draw_table(Screen& screen,
   for (const Column& column : table.columns) titles.push_back(column.title);
   const Rect indented{rect.x + 1, rect.y, rect.width - 2, 1};
   draw_cells(screen, indented, widths, table, titles, {.colour = Colour::Grey});
+  if (active && table.sortable)
+    add_heading_zones(screen, indented, widths, table);
   const std::size_t sorted = sorting_column(table, state);
   if (sorted < widths.size()) {
     // In the gap behind the title.

@@ -4,6 +4,7 @@
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,22 +14,32 @@ struct Column {
   std::string title;
   bool right = false;  ///< numbers stand to the right
   bool bars = false;   ///< drawn as in any other row where it is selected
+  /// What rows are sorted by it under: its title where nothing is said; not at
+  /// all by one without a name.
+  std::optional<std::string> sorts = {};
+
+  [[nodiscard]] const std::string& name() const {
+    return sorts ? *sorts : title;
+  }
 };
 
 struct Row {
   std::vector<std::string> cells;
   Style style;
+  /// As cells, what they are sorted by; empty: by the cells.
+  std::vector<std::string> keys = {};
 };
 
 struct Table {
   std::vector<Column> columns;
   std::vector<Row> rows;
+  bool sortable = false;  ///< by clicks on its headings, too
 };
 
 struct ListState {
   std::size_t selected = 0;  ///< index into Table::rows
   std::string filter;        ///< rows without this text are hidden
-  /// Title of the column by which rows stand; empty, or of no column: as they
+  /// Name of the column by which rows stand; empty, or of no column: as they
   /// come.
   std::string sorted_by = {};
   bool rising = false;  ///< numbers from the smallest up
@@ -60,6 +71,10 @@ bool list_key(ListState& state, const Table& table, Key key, int page = 10);
 /// @param told says by what, also where the column has no room on the screen
 /// @return true when it was that key
 bool sort_key(ListState& state, const Table& table, Key key, std::string& told);
+
+/// A click on a heading sorts by its column: as sort_key() does, from the
+/// largest number down, then up, then not at all.
+void sort_by_heading(ListState& state, const Zone& heading);
 
 /// Heading, then as many rows as fit, the selected one among them. Columns
 /// that do not fit are left out from the right, but the first of them is cut

@@ -37,6 +37,23 @@ void click(Program& program, const std::string& text) {
 
 std::string seen(const Program& program) { return program.draw().to_text(); }
 
+// Screens 4 and 5: what is most off, or most probable, first; then last.
+TEST(Mouse, AClickOnAHeadingSorts) {
+  for (const auto& [screen, heading] :
+       {std::pair{U'4', "FRAC"}, {U'5', "hold-out error"}, {U'3', "f Hz"}}) {
+    Program program(testing::fake_workbench(), {150, 40, false});
+    program.press(Key(screen));
+    wait_until_idle(program);
+    click(program, heading);
+    EXPECT_TRUE(holds(seen(program), std::string(heading) + "▾"))
+        << seen(program);
+    click(program, heading);
+    EXPECT_TRUE(holds(seen(program), std::string(heading) + "▴"));
+    click(program, heading);
+    EXPECT_FALSE(holds(seen(program), std::string(heading) + "▴"));
+  }
+}
+
 TEST(Mouse, ClicksMeanWhatStandsThere) {
   Program program(testing::fake_workbench(), {100, 30, false});
   wait_until_idle(program);

@@ -37,6 +37,29 @@ TEST(Program, BeginsWithTheFrfsWhereTheyCameReady) {
   EXPECT_FALSE(holds(text, "run-01.wav")) << text;
 }
 
+TEST(Program, SaysThatATestWithoutRecordingsHasNone) {
+  FakeOptions options;
+  options.ready_frfs = true;
+  const std::string text = played("1\nwait", {}, options);
+  EXPECT_TRUE(holds(text, "it has no recordings")) << text;
+  EXPECT_FALSE(holds(text, "run again")) << text;
+  EXPECT_FALSE(holds(text, "Space accept")) << text;
+}
+
+TEST(Program, SortsFrfsAndCandidates) {
+  for (const int width : {80, 150}) {
+    const Canvas canvas{width, 40, false};
+    const std::string frfs = played("4\nwait\ns\ns\n", canvas);
+    EXPECT_TRUE(holds(frfs, "sorted by error")) << frfs;
+    EXPECT_TRUE(
+        holds(played("4\nwait\n<Tab><Tab>s", canvas), "sorted by measured Hz"));
+    const std::string rung = played("5\nwait\ns", canvas);
+    EXPECT_TRUE(holds(rung, "sorted by rung")) << rung;
+    const std::string error = played("5\nwait\nsssssss", canvas);
+    EXPECT_TRUE(holds(error, "sorted by error")) << error;
+  }
+}
+
 TEST(Program, HoldsOnlyAsciiInAsciiMode) {
   for (const char screen : std::string("1234567")) {
     const std::string script =

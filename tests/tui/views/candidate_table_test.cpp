@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace tapfit::tui {
 namespace {
 
@@ -38,19 +40,38 @@ TEST(CandidateTable, CutsNoPlaceInsideItsBrackets) {
             "rotation, 19 nodes");
 }
 
+std::string size_of(const Table& table) {
+  const auto at =
+      std::ranges::find(table.columns, std::string("size"), &Column::title);
+  return table.rows[0].cells.at(
+      static_cast<std::size_t>(at - table.columns.begin()));
+}
+
+// Sorted alike, however wide the window is.
+TEST(CandidateTable, HasTheSameOrderInAnyWidth) {
+  const updating::Diagnosis d = testing::fake_diagnosis();
+  for (const char* column :
+       {"rung", "probability", "where", "error", "hold-out error"}) {
+    ListState state;
+    state.sorted_by = column;
+    state.rising = true;
+    EXPECT_EQ(visible_rows(candidate_table(d, {}, 80, true), state),
+              visible_rows(candidate_table(d, {}, 200, false), state))
+        << column;
+  }
+}
+
 // The scatter is left out where it does not fit, and only there.
 TEST(CandidateTable, GivesTheSizeTheRoomThatIsLeft) {
   updating::Diagnosis d = testing::fake_diagnosis();
-  EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
-            "0.07850 ± 0.00060 kg");
+  EXPECT_EQ(size_of(candidate_table(d, {}, 80, false)), "0.07850 ± 0.00060 kg");
   // Bars give way first.
   d.candidates[0].effect = "a-kind-with-a-long-name";
   const Table cramped = candidate_table(d, {}, 80, false);
-  EXPECT_EQ(cramped.rows[0].cells.back(), "0.07850 ± 0.00060 kg");
+  EXPECT_EQ(size_of(cramped), "0.07850 ± 0.00060 kg");
   EXPECT_EQ(cramped.columns.size(), cramped.rows[0].cells.size());
   d.candidates[0].effect = "a-kind-with-a-name-that-is-rather-long";
-  EXPECT_EQ(candidate_table(d, {}, 80, false).rows[0].cells.back(),
-            "0.0785 kg");
+  EXPECT_EQ(size_of(candidate_table(d, {}, 80, false)), "0.0785 kg");
   d.candidates[0].effect =
       "a-kind-with-a-name-that-is-longer-than-any-other-is";
   EXPECT_EQ(candidate_table(d, {}, 130, false).rows[0].cells.back(),
