@@ -265,6 +265,14 @@ std::vector<std::array<double, 2>> measured_damping(const modal::ModeSet& set) {
   return damping;
 }
 
+// No card holds what fits make up for of the mesh.
+std::string mesh_note(const Comparison& comparison) {
+  return fmt::format(
+      "$ not written: what the mesh leaves ({:.2g} % of the FRFs), for which "
+      "fits make up: modes on this mesh lie beside those fitted",
+      100.0 * comparison.floor_mesh);
+}
+
 }  // namespace
 
 void check_deck_name(const std::filesystem::path& path) {
@@ -295,6 +303,10 @@ void write_updated_deck(Session& session,
       structure::damping_table_cards(structure::free_table(deck.path),
                                      measured_damping(session.modes(progress))),
       std::back_inserter(updated.added));
+  const Comparison& comparison = session.comparison(progress);
+  if (comparison.floor_mesh > 0.0) {
+    updated.added.push_back(mesh_note(comparison));
+  }
   structure::Deck changed = deck;
   changed.cards = std::move(updated.lines);
   structure::write_deck(changed, updated.added, path, rule);
