@@ -5,9 +5,12 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/parse_json.hpp"
+#include "acquisition/foundation/utf8.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <string>
@@ -53,6 +56,45 @@ void refuse_foreign(const fs::path& file) {
       "and SEP-005 files, and recordings are named in a test.json");
 }
 
+// Line ends and tabs are blanks; of other controls the first is said.
+void make_one_line(std::string& text,
+                   const std::string& place,
+                   const std::string& source) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  if (printable(text) == text) return;
+  throw InputError(
+      fmt::format("\"{}\" holds a control character (shown as ?)", text),
+      fmt::format("{}: {}", source, place),
+      "write it without: such characters steer terminals, or turn the "
+      "direction of writing");
+}
+
+// All texts of a test.json: they come to terminals, tables and reports.
+// NOLINTNEXTLINE(misc-no-recursion): no deeper than any field that is read
+void make_one_lines(json& value,
+                    const std::string& place,
+                    const std::string& source,
+                    int depth = 0) {
+  constexpr int deepest = 16;
+  if (depth > deepest) return;
+  if (value.is_string()) {
+    make_one_line(value.get_ref<std::string&>(), place, source);
+  } else if (value.is_array()) {
+    for (std::size_t k = 0; k < value.size(); ++k) {
+      make_one_lines(
+          value[k], fmt::format("{}[{}]", place, k), source, depth + 1);
+    }
+  } else if (value.is_object()) {
+    for (auto& [key, child] : value.items()) {
+      const std::string at = place.empty() ? key : place + "." + key;
+      std::string name = key;
+      make_one_line(name, at, source);
+      make_one_lines(child, at, source, depth + 1);
+    }
+  }
+}
+
 void add_model(const json& model, const fs::path& folder, TestBundle& bundle) {
   const auto path = [&](const json& said) {
     return folder / said.get<std::string>();
@@ -77,6 +119,7 @@ json read_test_json(const fs::path& file) {
   refuse_foreign(file);
   const std::string name = file.filename().string();
   json document = parse_json(read_text(file), name);
+  make_one_lines(document, "", name);
   check_against_schema(document, name);
   return document;
 }

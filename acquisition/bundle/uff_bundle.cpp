@@ -68,7 +68,7 @@ std::optional<Record> record_of(const UffHeader& header,
   const auto quantity = quantity_of(header.numerator, unit);
   if (!quantity) {
     reason = fmt::format("\"{}\" (data type {}) is no force or motion",
-                         as_utf8(header.numerator.unit),
+                         header.numerator.unit,
                          header.numerator.type);
   } else if (!header.response) {
     reason = "it says no direction";
@@ -123,7 +123,7 @@ Contents contents_of(const UffFile& file) {
     const UffDataset& dataset = file.datasets[k];
     if (dataset.type == 164) units = read_uff_units(dataset);
     if (dataset.type == 151 && !dataset.lines.empty()) {
-      found.title = column(dataset.lines[0], 0, 80);
+      found.title = printable(column(dataset.lines[0], 0, 80));
     }
     if (dataset.type != 58) continue;
     const int type = function_type(dataset);

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <iterator>
+#include <streambuf>
 #include <system_error>
 #include <unistd.h>
 
@@ -51,6 +53,16 @@ void check_input(const fs::path& file, std::uintmax_t most_bytes) {
                    "see whether this is the file that was meant");
 }
 
+std::string no_file(const fs::path& file) {
+  std::error_code fault;
+  const fs::file_status there = fs::status(file, fault);
+  return fs::exists(there)
+             ? fmt::format("{} is {}, and no file that can be read",
+                           file.string(),
+                           kind_of(there.type()))
+             : fmt::format("there is no file {}", file.string());
+}
+
 std::ifstream open_input(const fs::path& file, std::uintmax_t most_bytes) {
   check_input(file, most_bytes);
   return std::ifstream(file, std::ios::binary);
@@ -59,6 +71,23 @@ std::ifstream open_input(const fs::path& file, std::uintmax_t most_bytes) {
 std::string read_input(const fs::path& file) {
   std::ifstream stream = open_input(file, most_text_bytes);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+bool take_line(std::istream& text, std::string& line) {
+  line.clear();
+  if (!text) return false;
+  try {
+    std::streambuf& in = *text.rdbuf();
+    for (int c = in.sbumpc(); c != EOF; c = in.sbumpc()) {
+      if (c == '\r' && in.sgetc() == '\n') c = in.sbumpc();
+      if (c == '\n' || c == '\r') return true;
+      line += static_cast<char>(c);
+    }
+    text.setstate(std::ios::eofbit);
+  } catch (const std::ios_base::failure&) {
+    text.setstate(std::ios::badbit);
+  }
+  return !line.empty();
 }
 
 std::uintmax_t most_table_bytes() {

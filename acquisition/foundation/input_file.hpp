@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <istream>
 #include <string>
 
 namespace tapfit::acquisition {
@@ -24,6 +25,9 @@ inline constexpr std::uintmax_t most_text_bytes = 256U << 20U;
 void check_input(const std::filesystem::path& file,
                  std::uintmax_t most_bytes = UINTMAX_MAX);
 
+/// What to say of a file that is not there, or is none but a folder or a pipe.
+[[nodiscard]] std::string no_file(const std::filesystem::path& file);
+
 /// Opens a file for reading, as check_input allows; as it is, without a
 /// translation of line ends. The stream is not good where nothing is there.
 /// @throws InputError as check_input
@@ -33,6 +37,10 @@ void check_input(const std::filesystem::path& file,
 /// The whole file; empty where nothing is there.
 /// @throws InputError as check_input, with most_text_bytes as limit
 [[nodiscard]] std::string read_input(const std::filesystem::path& file);
+
+/// The next line of a text, which ends in LF, CR or both, or with the text.
+/// @return false where there is none; the stream is bad where it cannot be read
+bool take_line(std::istream& text, std::string& line);
 
 /// Bytes that one matrix may take: half of the machine's memory.
 [[nodiscard]] double most_matrix_bytes();

@@ -1,5 +1,7 @@
 #include "acquisition/foundation/utf8.hpp"
 
+#include <algorithm>
+
 namespace tapfit::acquisition {
 namespace {
 
@@ -32,28 +34,42 @@ void append_latin1(unsigned char value, std::string& text) {
   text += static_cast<char>(0x80 | (value & 0x3f));
 }
 
-// Those of ASCII but line end and tab, and U+0080 to U+009F.
-bool is_control(std::string_view sequence) {
-  const auto byte = [&](std::size_t k) {
-    return static_cast<unsigned char>(sequence[k]);
-  };
-  if (sequence.size() == 1) {
-    return (byte(0) < 0x20 && byte(0) != '\n' && byte(0) != '\t') ||
-           byte(0) == 0x7f || (byte(0) >= 0x80 && byte(0) < 0xa0);
+bool is_plain(char c) {
+  return (c >= ' ' && c <= '~') || c == '\n' || c == '\t';
+}
+
+// Of one byte, which may be of Latin-1, or of several that are UTF-8.
+char32_t code_point(std::string_view sequence) {
+  const auto lead = static_cast<unsigned char>(sequence.front());
+  if (sequence.size() == 1) return lead;
+  char32_t code = lead & (0x7fU >> sequence.size());
+  for (const char byte : sequence.substr(1)) {
+    code = code << 6U | (static_cast<unsigned char>(byte) & 0x3fU);
   }
-  return byte(0) == 0xc2 && byte(1) < 0xa0;
+  return code;
+}
+
+// Those of ASCII but line end and tab, U+0080 to U+009F, the ends of lines and
+// paragraphs of Unicode, and what turns the direction of writing, so that a
+// text reads as another.
+bool is_control(char32_t code) {
+  return (code < 0x20 && code != U'\n' && code != U'\t') ||
+         (code >= 0x7f && code < 0xa0) || code == 0x061c || code == 0x200e ||
+         code == 0x200f || (code >= 0x2028 && code <= 0x202e) ||
+         (code >= 0x2066 && code <= 0x2069);
 }
 
 }  // namespace
 
 std::string printable(std::string_view text) {
+  if (std::ranges::all_of(text, is_plain)) return std::string(text);
   std::string result;
   while (!text.empty()) {
     const auto lead = static_cast<unsigned char>(text.front());
     const auto length = static_cast<std::size_t>(1 + followers(lead));
     const bool whole = length > 0 && is_utf8(text.substr(0, length));
     const std::string_view sequence = text.substr(0, whole ? length : 1);
-    if (is_control(sequence)) {
+    if (is_control(code_point(sequence))) {
       result += '?';
     } else if (whole) {
       result += sequence;

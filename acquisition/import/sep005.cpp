@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
+#include "acquisition/foundation/utf8.hpp"
 #include "acquisition/samples/rate_of_times.hpp"
 
 #include <fmt/format.h>
@@ -122,7 +123,7 @@ RateOfTimes timed_rate(const json& signal,
 
 std::string text_of(const json& signal, const char* key) {
   return signal.is_object() && signal.contains(key) && signal[key].is_string()
-             ? signal[key].get<std::string>()
+             ? printable(signal[key].get<std::string>())
              : std::string();
 }
 

@@ -1,6 +1,7 @@
 #include "acquisition/uff/uff_function.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/utf8.hpp"
 #include "acquisition/uff/uff_numbers.hpp"
 
 #include <fmt/format.h>
@@ -29,7 +30,7 @@ std::optional<Dof> dof(std::string_view line, std::size_t at) {
 }
 
 UffAxis axis(std::string_view line) {
-  return {integer(column(line, 0, 10)), std::string(column(line, 47, 20))};
+  return {integer(column(line, 0, 10)), printable(column(line, 47, 20))};
 }
 
 void read_layout(const UffDataset& dataset, UffHeader& result) {
@@ -160,7 +161,7 @@ UffHeader read_header(const UffDataset& dataset) {
                      "the file is cut off; export it anew");
   UffHeader header;
   for (std::size_t i = 0; i < 5; ++i)
-    header.id[i] = std::string(column(dataset.lines[i], 0, 80));
+    header.id[i] = printable(column(dataset.lines[i], 0, 80));
   const std::string_view who = dataset.lines[5];
   header.function_type = integer(column(who, 0, 5));
   header.number = integer(column(who, 5, 10));

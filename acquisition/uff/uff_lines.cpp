@@ -1,6 +1,7 @@
 #include "acquisition/uff/uff_lines.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/utf8.hpp"
 
 #include <fmt/format.h>
 
@@ -47,7 +48,7 @@ std::string UffLines::text() {
                      place(),
                      "the file is cut off; export it anew");
   }
-  return std::string(column(dataset_.lines[at_++], 0, std::string::npos));
+  return printable(column(dataset_.lines[at_++], 0, std::string::npos));
 }
 
 std::vector<double> UffLines::numbers(std::size_t width, std::size_t least) {

@@ -1,8 +1,10 @@
 #include "tui/options/standard_streams.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/utf8.hpp"
 
 #include <cstdio>
+#include <string>
 
 namespace tapfit::tui {
 
@@ -12,7 +14,8 @@ void say(std::string_view text) {
   (void)std::fflush(stderr);
 }
 
-void print(std::string_view text) {
+void print(std::string_view result) {
+  const std::string text = acquisition::printable(result);
   const std::size_t written = std::fwrite(text.data(), 1, text.size(), stdout);
   if (std::fflush(stdout) == 0 && written == text.size()) return;
   throw InputError("cannot be written",

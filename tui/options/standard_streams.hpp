@@ -9,8 +9,9 @@ namespace tapfit::tui {
 /// said there is no result.
 void say(std::string_view text);
 
-/// A result, to standard output.
+/// A result, to standard output; control characters, which names of files may
+/// hold, as "?".
 /// @throws InputError where it cannot be written to its end
-void print(std::string_view text);
+void print(std::string_view result);
 
 }  // namespace tapfit::tui

@@ -31,6 +31,16 @@ TEST(Utf8, PrintableTextHasNoOddBytes) {
   EXPECT_EQ(printable("\xe2\x82"), "\xc3\xa2?");
 }
 
+// Which are letters all the same beside others of their block.
+TEST(Utf8, PrintableTextReadsAsItStands) {
+  EXPECT_EQ(printable("a\xe2\x80\xaeknip.wav"), "a?knip.wav");
+  EXPECT_EQ(printable("\xe2\x81\xa6|\xe2\x80\xa8|\xd8\x9c"), "?|?|?");
+  EXPECT_EQ(printable("10\xe2\x80\x93"
+                      "20 \xe2\x82\xac"),
+            "10\xe2\x80\x93"
+            "20 \xe2\x82\xac");
+}
+
 TEST(Utf8, MessagesShowWhateverIsInTheInput) {
   const InputError error(std::string("\"1\0002\" is no number", 18),
                          "Pr\xfc"

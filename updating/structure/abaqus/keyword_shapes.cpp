@@ -47,7 +47,7 @@ bool is_data(const std::string& text) {
 
 bool next_of(std::istream& file, std::string& text) {
   constexpr std::size_t longest = 1U << 20U;
-  return std::getline(file, text) && text.size() < longest;
+  return acquisition::take_line(file, text) && text.size() < longest;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
+#include "acquisition/foundation/utf8.hpp"
 #include "updating/structure/abaqus/keyword_block.hpp"
 #include "updating/structure/abaqus/keyword_shapes.hpp"
 #include "updating/structure/abaqus/translate_inp.hpp"
@@ -61,22 +62,16 @@ std::filesystem::path included(const std::filesystem::path& asks,
              : beside;
 }
 
-bool next_line(std::istream& file, std::string& text) {
-  if (!std::getline(file, text)) return false;
-  if (!text.empty() && text.back() == '\r') text.pop_back();
-  return true;
-}
-
 // A long name goes on in the next lines; false where the file ends in it.
 bool complete_include(std::istream& file, std::string& text, int& number) {
   if (is_keyword_line(text) && upper(trimmed(text)) == "*INCLUDE,") {
     std::string more;
-    if (!next_line(file, more)) return false;
+    if (!acquisition::take_line(file, more)) return false;
     text = trimmed(text) + trimmed(more);
     ++number;
   }
   for (std::string more; include_name(text) && ends_inside_quotes(text);) {
-    if (!next_line(file, more)) return false;
+    if (!acquisition::take_line(file, more)) return false;
     text += trimmed(more);
     ++number;
   }
@@ -94,7 +89,7 @@ std::vector<std::string> names_included(const std::filesystem::path& path) {
     return names;  // who needs the deck says what is wrong
   }
   std::string text;
-  for (int number = 1; next_line(file, text); ++number) {
+  for (int number = 1; acquisition::take_line(file, text); ++number) {
     if (number == 1) drop_byte_order_mark(text);
     (void)complete_include(file, text, number);
     // In a file of unknown kind either syntax may count.
@@ -158,7 +153,7 @@ void read_file(const std::filesystem::path& path,
   CardShapes cards;
   KeywordShapes keywords;
   std::string text;
-  for (int number = 1; next_line(file, text); ++number) {
+  for (int number = 1; acquisition::take_line(file, text); ++number) {
     if (number == 1) drop_byte_order_mark(text);
     const std::string where =
         fmt::format("{}:{}", path.filename().string(), number);
@@ -277,7 +272,8 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
   CaseReader cases;
   for (const PlacedLine& line : raw) {
     result.all.push_back(line.text);
-    const std::string text = expand_tabs(without_comment(line.text));
+    const std::string text =
+        acquisition::printable(expand_tabs(without_comment(line.text)));
     if (ended || trimmed(text).empty()) continue;
     if (!in_bulk || (!has_begin && looks_like_control(text))) {
       cases.add(text, result.control);
