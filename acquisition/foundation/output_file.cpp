@@ -145,9 +145,27 @@ OutputFolder::~OutputFolder() {
   if (!unfinished_.empty()) fs::remove_all(unfinished_, gone);
 }
 
-fs::path OutputFolder::file(const fs::path& name) const {
+void OutputFolder::write(
+    const fs::path& name,
+    const std::function<void(const fs::path&)>& writer) const {
   check_in_folder(rule_, target_, name);
-  return unfinished_ / name;
+  const std::string part = (unfinished_ / name).string();
+  try {
+    writer(part);
+  } catch (const InputError& error) {
+    const std::string& where = error.where();
+    const std::size_t at = where.find(part);
+    if (at == std::string::npos) throw;
+    throw InputError(
+        error.fault(),
+        std::string(where).replace(at, part.size(), (target_ / name).string()),
+        error.remedy());
+  }
+}
+
+void OutputFolder::write(const fs::path& name, std::string_view content) const {
+  write(name,
+        [&](const fs::path& file) { write_file(file, content, OutputRule{}); });
 }
 
 void OutputFolder::commit() {
@@ -204,7 +222,7 @@ void write_files(const std::vector<FileContent>& files,
   }
   OutputFolder output(folder, rule);
   for (const FileContent& file : files) {
-    write_file(output.file(file.path.filename()), file.content, {});
+    output.write(file.path.filename(), file.content);
   }
   output.commit();
 }

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -59,11 +60,16 @@ class OutputFolder {
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
-  /// Where a file is to be written that commit() brings into the folder.
+  /// Writes a file that commit() brings into the folder.
   /// @param name without a folder
+  /// @param writer is told where it stands till then; its InputError is thrown
+  ///   with the file's own name in it
   /// @throws InputError where the rule does not let it
-  [[nodiscard]] std::filesystem::path file(
-      const std::filesystem::path& name) const;
+  void write(
+      const std::filesystem::path& name,
+      const std::function<void(const std::filesystem::path&)>& writer) const;
+  /// A whole file at once.
+  void write(const std::filesystem::path& name, std::string_view content) const;
 
   /// Brings all files into the folder, over older ones of their names where the
   /// rule lets all of them, else none.

@@ -3,6 +3,7 @@
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/write_test_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/foundation/units.hpp"
@@ -114,7 +115,7 @@ struct Table {
   int rate = 0;
   Eigen::MatrixXd values;          ///< n_rows x (1 + sensors), as in the file
   std::vector<std::string> units;  ///< as the file says, may be empty
-  std::vector<std::string> notes;  ///< on the rate
+  std::vector<std::string> notes;  ///< on the times and the rate
 };
 
 // The columns, and behind them a column of times where it is to tell the rate.
@@ -123,6 +124,7 @@ struct Table {
 TimeTable read_source(const ImportFile& source,
                       const ImportOptions& options,
                       std::vector<std::string> columns,
+                      const Progress& progress,
                       std::optional<double>& rate) {
   if (!is_instrument_file(source.file)) {
     if (options.rate_variable) {
@@ -135,9 +137,9 @@ TimeTable read_source(const ImportFile& source,
     if (!rate && !says_rate(source.file)) {
       columns.push_back(options.time_column.value_or("1"));
     }
-    return read_time_table(source.file, columns, options.csv);
+    return read_time_table(source.file, columns, options.csv, progress);
   }
-  const InstrumentFile file = read_instrument_file(source.file);
+  const InstrumentFile file = read_instrument_file(source.file, progress);
   if (!rate && options.rate_variable) {
     rate = number_of(file.arrays, *options.rate_variable, source.file);
   }
@@ -145,7 +147,9 @@ TimeTable read_source(const ImportFile& source,
   return table_of(file, columns);
 }
 
-Table read_table(const ImportFile& source, const ImportOptions& options) {
+Table read_table(const ImportFile& source,
+                 const ImportOptions& options,
+                 const Progress& progress) {
   std::vector<std::string> columns;
   for (const ImportChannel& channel : all_channels(options)) {
     columns.push_back(channel.column);
@@ -153,7 +157,7 @@ Table read_table(const ImportFile& source, const ImportOptions& options) {
   const std::string file = source.file.string();
   const auto count = static_cast<Index>(columns.size());
   std::optional<double> rate = options.sample_rate_hz;
-  const TimeTable read = read_source(source, options, columns, rate);
+  TimeTable read = read_source(source, options, columns, progress, rate);
   std::optional<double> spread;
   if (!rate && read.values.cols() > count) {
     const RateOfTimes timed = rate_of(read.values.col(count), file);
@@ -165,9 +169,11 @@ Table read_table(const ImportFile& source, const ImportOptions& options) {
   }
   if (!rate) refuse_without_rate(source.file);
   Table table;
+  table.notes = std::move(read.notes);
   table.rate = whole_rate(*rate, spread, file, table.notes);
-  table.values = read.values.leftCols(count);
-  table.units = read.units;
+  table.units = std::move(read.units);
+  table.values = std::move(read.values);
+  table.values.conservativeResize(Eigen::NoChange, count);
   return table;
 }
 
@@ -302,18 +308,21 @@ void check_import(const ImportOptions& options) {
   // Before the first is read: that may take a while.
   for (const ImportFile& source : options.files) {
     if (fs::is_regular_file(source.file, ignored)) continue;
+    check_input(source.file);
     throw InputError("no such file",
                      source.file.string(),
                      "check its path; nothing has been imported");
   }
   if (options.deck && !fs::is_regular_file(*options.deck, ignored)) {
+    check_input(*options.deck);
     throw InputError("no such file",
                      options.deck->string(),
                      "name the Nastran deck, or import without one");
   }
 }
 
-TestBundle import_recordings(const ImportOptions& options) {
+TestBundle import_recordings(const ImportOptions& options,
+                             const Progress& progress) {
   if (options.files.empty() || options.sensors.empty()) {
     throw InputError("nothing to import",
                      "import",
@@ -322,7 +331,7 @@ TestBundle import_recordings(const ImportOptions& options) {
   check_import(options);
   std::vector<Table> tables;
   for (const ImportFile& file : options.files) {
-    tables.push_back(read_table(file, options));
+    tables.push_back(read_table(file, options, progress));
   }
   TestBundle bundle;
   bundle.title = options.title;
@@ -342,18 +351,24 @@ TestBundle import_recordings(const ImportOptions& options) {
   OutputFolder output(options.folder, output_rule(options));
   std::set<std::string> used;
   for (std::size_t r = 0; r < tables.size(); ++r) {
+    progress("writing",
+             static_cast<double>(r) / static_cast<double>(tables.size()));
     const std::string name = sound_file(options.files[r], used);
-    write_audio(output.file(name),
-                tables[r].values * scale.asDiagonal(),
-                tables[r].rate,
-                AudioFormat::WavFloat64);
+    output.write(name, [&](const fs::path& file) {
+      write_audio(file,
+                  tables[r].values * scale.asDiagonal(),
+                  tables[r].rate,
+                  AudioFormat::WavFloat64);
+    });
     bundle.runs.push_back(
         bundle_run(options.files[r], options, options.folder / name));
   }
-  write_file(
-      output.file("test.json"), test_bundle_text(bundle, options.folder), {});
-  // What no command could read is not put in its place.
-  (void)read_test_bundle(output.file("test.json"));
+  progress("writing", 1.0);
+  output.write("test.json", [&](const fs::path& file) {
+    write_file(file, test_bundle_text(bundle, options.folder), {});
+    // What no command could read is not put in its place.
+    (void)read_test_bundle(file);
+  });
   output.commit();
   TestBundle written = read_test_bundle(options.folder);
   for (Table& table : tables) {

@@ -11,6 +11,7 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/output_rule.hpp"
+#include "acquisition/foundation/progress.hpp"
 #include "acquisition/import/time_table.hpp"
 #include "acquisition/readers/csv_table.hpp"
 
@@ -51,7 +52,7 @@ struct ImportOptions {
   ImportChannel hammer;
   std::vector<ImportChannel> sensors;
   /// Sampling rate [Hz]; empty: what the file says, else from time_column,
-  /// which then holds seconds.
+  /// which then holds seconds, or what its header says.
   std::optional<double> sample_rate_hz;
   /// Variable of a file of arrays that holds the rate [Hz].
   std::optional<std::string> rate_variable;
@@ -75,15 +76,17 @@ void check_import(const ImportOptions& options);
 [[noreturn]] void refuse_without_rate(const std::filesystem::path& file);
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and
-/// returns it, with a warning for each column that is zero throughout and each
-/// rate that a column of times gave and that was rounded. The
+/// returns it, with a warning for each column that is zero throughout, each
+/// rate that a column of times gave and that was rounded, and times that are no
+/// seconds. The
 /// samples keep every digit: 64-bit WAV, scaled by a power of two that leaves
 /// room above the largest value.
 ///
 /// @throws InputError for a file that is not there, what read_time_table
 ///   refuses, uneven sampling, a rate that is no whole number of Hz (sound
 ///   files cannot say it), an unknown unit, a bundle that is there already, a
-///   sound file that is without `force`. The folder is then as it was
-TestBundle import_recordings(const ImportOptions& options);
+///   sound file that is without `force`; Stopped. The folder is then as it was
+TestBundle import_recordings(const ImportOptions& options,
+                             const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

@@ -50,8 +50,8 @@ void refuse_runs(const InstrumentFile& file) {
 
 class Proposal {
  public:
-  explicit Proposal(const ImportOptions& given)
-      : file_(read_time_records(given.files.at(0).file, given.csv)) {
+  Proposal(const ImportOptions& given, const Progress& progress)
+      : file_(read_time_records(given.files.at(0).file, given.csv, progress)) {
     refuse_runs(file_);
     result_.options = given;
   }
@@ -274,10 +274,11 @@ class Proposal {
 
 }  // namespace
 
-ImportProposal propose_import(const ImportOptions& given) {
+ImportProposal propose_import(const ImportOptions& given,
+                              const Progress& progress) {
   if (given.files.empty()) return {given, {}, {}};
   check_import(given);
-  return Proposal(given).make();
+  return Proposal(given, progress).make();
 }
 
 }  // namespace tapfit::acquisition

@@ -35,7 +35,8 @@ struct ImportProposal {
 ///     Points without a number get one of their own each.
 ///
 /// @throws InputError for what cannot be read, where no sensor is left, for a
-///   universal file of several hammers, which is a bundle by itself
-[[nodiscard]] ImportProposal propose_import(const ImportOptions& given);
+///   universal file of several hammers, which is a bundle by itself; Stopped
+[[nodiscard]] ImportProposal propose_import(const ImportOptions& given,
+                                            const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

@@ -98,13 +98,14 @@ void make_names_differ(std::vector<TimeRecord>& records) {
 
 void read_plain_records(const std::filesystem::path& file,
                         const CsvOptions& options,
+                        const Progress& progress,
                         InstrumentFile& result) {
   std::vector<TimeRecord>& records = result.records;
   records = list_channels(file, options);
   std::vector<std::string> columns;
   for (const TimeRecord& record : records) columns.push_back(record.column);
   if (records.empty()) return;
-  const TimeTable table = read_time_table(file, columns, options);
+  const TimeTable table = read_time_table(file, columns, options, progress);
   for (std::size_t k = 0; k < records.size(); ++k) {
     TimeRecord& record = records[k];
     record.values = table.values.col(static_cast<Index>(k));
@@ -119,12 +120,13 @@ void read_plain_records(const std::filesystem::path& file,
 }  // namespace
 
 InstrumentFile read_time_records(const std::filesystem::path& file,
-                                 const CsvOptions& options) {
+                                 const CsvOptions& options,
+                                 const Progress& progress) {
   InstrumentFile result{file, {}, {}, 0, {}};
   if (is_instrument_file(file)) {
-    result = read_instrument_file(file);
+    result = read_instrument_file(file, progress);
   } else {
-    read_plain_records(file, options, result);
+    read_plain_records(file, options, progress, result);
   }
   if (!result.records.empty()) return result;
   throw InputError("holds no records of channels over time",

@@ -13,8 +13,10 @@ namespace tapfit::acquisition {
 /// them and gives their rate. Names are different from each other.
 ///
 /// @return without arrays where the file is no instrument's
-/// @throws InputError as read_time_table; for a file without channels
+/// @throws InputError as read_time_table; for a file without channels; Stopped
 [[nodiscard]] InstrumentFile read_time_records(
-    const std::filesystem::path& file, const CsvOptions& options);
+    const std::filesystem::path& file,
+    const CsvOptions& options,
+    const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

@@ -3,6 +3,7 @@
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/import/sep005.hpp"
+#include "acquisition/readers/time_units.hpp"
 #include "acquisition/uff/uff_function.hpp"
 
 #include <fmt/format.h>
@@ -70,15 +71,32 @@ void millivolts_to_volts(TimeTable& table) {
   }
 }
 
+void times_to_seconds(const std::filesystem::path& file,
+                      const std::vector<std::string>& columns,
+                      TimeTable& table) {
+  for (std::size_t k = 0; k < table.units.size(); ++k) {
+    const double seconds = seconds_in(table.units[k]).value_or(1.0);
+    if (seconds == 1.0) continue;
+    table.values.col(static_cast<Index>(k)) *= seconds;
+    table.notes.push_back(
+        fmt::format("{}: the times of column \"{}\" are in {}, as it says",
+                    file.string(),
+                    columns[k],
+                    table.units[k]));
+    table.units[k] = "s";
+  }
+}
+
 TimeTable read_plain_table(const std::filesystem::path& file,
                            const std::vector<std::string>& columns,
-                           const CsvOptions& options) {
+                           const CsvOptions& options,
+                           const Progress& progress) {
   if (is_uff(file)) {
     const UffFile uff = open_uff(file);
     return uff.bytes.reading([&] { return read_uff_table(uff, columns); });
   }
   if (is_sep005(file)) return read_sep005(file, columns);
-  CsvTable table = read_csv_table(file, columns, options);
+  CsvTable table = read_csv_table(file, columns, options, progress);
   return {std::move(table.values), std::move(table.units), {}, {}};
 }
 
@@ -152,11 +170,14 @@ TimeTable table_of(const InstrumentFile& file,
 
 TimeTable read_time_table(const std::filesystem::path& file,
                           const std::vector<std::string>& columns,
-                          const CsvOptions& options) {
-  TimeTable table = is_instrument_file(file)
-                        ? table_of(read_instrument_file(file), columns)
-                        : read_plain_table(file, columns, options);
+                          const CsvOptions& options,
+                          const Progress& progress) {
+  TimeTable table =
+      is_instrument_file(file)
+          ? table_of(read_instrument_file(file, progress), columns)
+          : read_plain_table(file, columns, options, progress);
   millivolts_to_volts(table);
+  times_to_seconds(file, columns, table);
   return table;
 }
 

@@ -37,12 +37,15 @@ namespace tapfit::acquisition {
 [[nodiscard]] TimeTable table_of(const InstrumentFile& file,
                                  const std::vector<std::string>& columns);
 
-/// Millivolts are made volts.
+/// Millivolts are made volts; milliseconds and the like seconds, which is
+/// noted.
 ///
 /// @param columns what to read, in the kind's own way of naming it
-/// @throws InputError for what is not there, no number, or of differing length
+/// @throws InputError for what is not there, no number, or of differing length;
+///   Stopped
 [[nodiscard]] TimeTable read_time_table(const std::filesystem::path& file,
                                         const std::vector<std::string>& columns,
-                                        const CsvOptions& options);
+                                        const CsvOptions& options,
+                                        const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

@@ -16,6 +16,7 @@ struct TimeTable {
   /// How far rate_hz may be off, relative to it, where times gave it; empty
   /// where the file states it.
   std::optional<double> rate_spread;
+  std::vector<std::string> notes = {};  ///< what was made of it, to be said
 };
 
 }  // namespace tapfit::acquisition

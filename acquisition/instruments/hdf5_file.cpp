@@ -156,14 +156,14 @@ void read_texts(const Content& content,
 // What else there is in a file is listed without its content.
 NamedArray read_content(const Content& content,
                         const std::string& name,
-                        const std::filesystem::path& file) {
+                        ArrayRoom& room) {
   NamedArray array{.name = name};
   const Handle type = content.type();
   const Shape shape(content.space());
   if (!type || !shape.known || !content.is_here()) return array;
   const H5T_class_t kind = H5Tget_class(type.id());
   if (kind == H5T_INTEGER || kind == H5T_FLOAT) {
-    refuse_too_large(file, name, shape.values());
+    room.take(name, shape.values());
     read_numbers(content, shape, array);
   } else if (kind == H5T_STRING) {
     read_texts(content, type, shape, array);
@@ -175,7 +175,7 @@ NamedArray read_content(const Content& content,
 class Walk {
  public:
   Walk(const std::filesystem::path& file, std::FILE* out)
-      : file_(file), out_(out) {}
+      : room_(file), out_(out) {}
 
   // NOLINTNEXTLINE(misc-no-recursion): as deep as groups lie in each other
   void go(hid_t group, const std::string& path, int depth) {
@@ -230,7 +230,7 @@ class Walk {
     if (kind == H5I_GROUP) {
       go(object.id(), path, depth + 1);
     } else if (kind == H5I_DATASET) {
-      send_array(read_content({object.id(), false}, path, file_), out_);
+      send_array(read_content({object.id(), false}, path, room_), out_);
       send_attributes(object.id(), path);
     } else if (!object) {
       send_array({.name = path, .kind = NamedArray::Kind::Damaged}, out_);
@@ -255,12 +255,12 @@ class Walk {
         continue;
       }
       const NamedArray array =
-          read_content({attribute.id(), true}, prefix + name.data(), file_);
+          read_content({attribute.id(), true}, prefix + name.data(), room_);
       if (array.kind != NamedArray::Kind::Other) send_array(array, out_);
     }
   }
 
-  const std::filesystem::path& file_;
+  ArrayRoom room_;
   std::FILE* out_;
   int seen_ = 0;
 };
@@ -287,12 +287,14 @@ bool is_hdf5(const std::filesystem::path& file) {
   return in && begin == mark;
 }
 
-std::vector<NamedArray> read_hdf5_arrays(const std::filesystem::path& file) {
+std::vector<NamedArray> read_hdf5_arrays(const std::filesystem::path& file,
+                                         const Progress& progress) {
   std::vector<NamedArray> arrays;
   in_own_process(
       file,
       [&](std::FILE* out) { walk_file(file, out); },
-      [&](std::FILE* in) { arrays = receive_arrays(in); });
+      [&](std::FILE* in) { arrays = receive_arrays(in); },
+      progress.stop);
   return arrays;
 }
 

@@ -9,6 +9,7 @@
 // (included only here).
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
 #include "acquisition/readers/named_array.hpp"
 
 #include <filesystem>
@@ -27,8 +28,8 @@ namespace tapfit::acquisition {
 /// not followed. The library works in a process of its own (own_process.hpp).
 ///
 /// @throws InputError for a damaged file, for a dataset that memory does not
-///   hold
+///   hold; Stopped
 [[nodiscard]] std::vector<NamedArray> read_hdf5_arrays(
-    const std::filesystem::path& file);
+    const std::filesystem::path& file, const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

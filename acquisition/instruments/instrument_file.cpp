@@ -38,21 +38,27 @@ bool is_old_netcdf(const std::filesystem::path& file) {
   return in && bytes.starts_with("CDF") && bytes[3] >= 1 && bytes[3] <= 5;
 }
 
-Arrays refuse_old_netcdf(const std::filesystem::path& file) {
+Arrays refuse_old_netcdf(const std::filesystem::path& file, const Progress&) {
   throw InputError("is netCDF of version 3, which is not read",
                    file.string(),
                    "make it version 4 with nccopy -k nc4 OLD.nc NEW.nc");
 }
 
-using ReadArrays = Arrays (*)(const std::filesystem::path&);
+using ReadArrays = Arrays (*)(const std::filesystem::path&, const Progress&);
+
+// Of kinds that are read at once.
+template <Arrays (*read)(const std::filesystem::path&)>
+Arrays at_once(const std::filesystem::path& file, const Progress&) {
+  return read(file);
+}
 
 // Null for other kinds.
 ReadArrays reader_of(const std::filesystem::path& file) {
   if (is_mat(file)) return &read_mat_arrays;
   if (is_hdf5(file)) return &read_hdf5_arrays;
-  if (is_tdms(file)) return &read_tdms_arrays;
-  if (is_npz_file(file)) return &read_npz_arrays;
-  if (is_npy_file(file)) return &read_npy_arrays;
+  if (is_tdms(file)) return &at_once<read_tdms_arrays>;
+  if (is_npz_file(file)) return &at_once<read_npz_arrays>;
+  if (is_npy_file(file)) return &at_once<read_npy_arrays>;
   if (is_old_netcdf(file)) return &refuse_old_netcdf;
   return nullptr;
 }
@@ -74,8 +80,11 @@ bool is_instrument_file(const std::filesystem::path& file) {
   return reader_of(file) != nullptr;
 }
 
-InstrumentFile read_instrument_file(const std::filesystem::path& file) {
-  InstrumentFile result{file, reader_of(file)(file), {}, 0, {}};
+InstrumentFile read_instrument_file(const std::filesystem::path& file,
+                                    const Progress& progress) {
+  progress("reading", 0.0);
+  InstrumentFile result{file, reader_of(file)(file, progress), {}, 0, {}};
+  progress("reading", 0.5);
   result.records = records_of_arrays(result.arrays);
   result.frame = rattlesnake_frame(result.arrays);
   return result;

@@ -2,6 +2,7 @@
 // netCDF4, TDMS, numpy. Their kind is told by how they begin, MATLAB's by .mat.
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
 #include "acquisition/instruments/time_record.hpp"
 #include "acquisition/readers/named_array.hpp"
 
@@ -23,9 +24,10 @@ struct InstrumentFile {
 /// Whether the file is of such a kind.
 [[nodiscard]] bool is_instrument_file(const std::filesystem::path& file);
 
-/// @throws InputError as the reader of its kind; for netCDF of version 3
+/// @throws InputError as the reader of its kind; for netCDF of version 3;
+///   Stopped
 [[nodiscard]] InstrumentFile read_instrument_file(
-    const std::filesystem::path& file);
+    const std::filesystem::path& file, const Progress& progress = {});
 
 /// A record by its column, its name or its number from 1 on; null for none.
 [[nodiscard]] const TimeRecord* find_record(

@@ -195,7 +195,8 @@ bool is_npy(std::string_view bytes) { return bytes.starts_with(npy_mark); }
 
 NamedArray read_npy(std::string_view content,
                     const std::string& name,
-                    const std::filesystem::path& file) {
+                    const std::filesystem::path& file,
+                    ArrayRoom& room) {
   ByteCursor bytes(content, file);
   const NpyHeader header = read_npy_header(bytes, name, file);
   NamedArray array{.name = name};
@@ -205,7 +206,7 @@ NamedArray read_npy(std::string_view content,
       static_cast<double>((*sides)[0]) * static_cast<double>((*sides)[1]);
   const auto type = number_type(std::string_view(header.type).substr(1));
   if (type) {
-    refuse_too_large(file, name, count);
+    room.take(name, count);
     read_npy_numbers(bytes, header, *sides, *type, array);
   } else if (header.type[1] == 'U' || header.type[1] == 'S') {
     read_npy_texts(bytes, header.type, count, array);

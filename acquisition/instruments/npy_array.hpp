@@ -22,10 +22,12 @@ namespace tapfit::acquisition {
 /// what else there is (complex, records, Python's objects) has no content.
 ///
 /// @param name of the array
+/// @param room of the file
 /// @throws InputError for bytes that are none, that end early, for what memory
 ///   does not hold
 [[nodiscard]] NamedArray read_npy(std::string_view bytes,
                                   const std::string& name,
-                                  const std::filesystem::path& file);
+                                  const std::filesystem::path& file,
+                                  ArrayRoom& room);
 
 }  // namespace tapfit::acquisition

@@ -1,6 +1,5 @@
 #include "acquisition/instruments/numpy_file.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/instruments/npy_array.hpp"
 #include "acquisition/instruments/zip_archive.hpp"
@@ -20,17 +19,13 @@ std::string first_bytes(const std::filesystem::path& file) {
   return in ? bytes : std::string();
 }
 
-// Of all arrays together.
+// Before one of them is unpacked; small numbers may be more than these.
 void refuse_sum(const std::vector<ZipEntry>& entries,
                 const std::filesystem::path& file) {
-  double size = 0.0;
+  ArrayRoom together(file);
   for (const ZipEntry& entry : entries) {
-    size += static_cast<double>(entry.size);
+    together.take(entry.name, static_cast<double>(entry.size) / sizeof(double));
   }
-  if (size <= most_matrix_bytes()) return;
-  throw InputError("holds more than memory does",
-                   file.string(),
-                   "save its arrays in several files");
 }
 
 }  // namespace
@@ -46,18 +41,21 @@ bool is_npz_file(const std::filesystem::path& file) {
 std::vector<NamedArray> read_npy_arrays(const std::filesystem::path& file) {
   const MappedFile mapped(file);
   return mapped.reading([&] {
-    return std::vector{read_npy(mapped.text(), file.stem().string(), file)};
+    ArrayRoom room(file);
+    return std::vector{
+        read_npy(mapped.text(), file.stem().string(), file, room)};
   });
 }
 
 std::vector<NamedArray> read_npz_arrays(const std::filesystem::path& file) {
   const std::vector<ZipEntry> entries = list_zip(file);
   refuse_sum(entries, file);
+  ArrayRoom room(file);
   std::vector<NamedArray> arrays;
   for (const ZipEntry& entry : entries) {
     if (!entry.name.ends_with(".npy")) continue;
     const std::string name = entry.name.substr(0, entry.name.size() - 4);
-    arrays.push_back(read_npy(unzip(entry, file), name, file));
+    arrays.push_back(read_npy(unzip(entry, file), name, file, room));
   }
   return arrays;
 }

@@ -1,6 +1,7 @@
 #include "acquisition/instruments/sampling.hpp"
 
 #include "acquisition/instruments/usual_names.hpp"
+#include "acquisition/readers/time_units.hpp"
 #include "acquisition/samples/rate_of_times.hpp"
 
 #include <algorithm>
@@ -60,7 +61,19 @@ std::optional<Sampling> stated(const std::vector<NamedArray>& all,
   return Sampling{step ? 1.0 / value : value, std::nullopt};
 }
 
-// Times in seconds, one for each sample.
+// By the attribute that says what times are in.
+double seconds_of(const std::vector<NamedArray>& all, const NamedArray& times) {
+  for (const NamedArray& array : all) {
+    if (array.kind == Kind::Text && array.texts.size() == 1 &&
+        array.name.starts_with(times.name + "@") &&
+        usual_name(array.name) == UsualName::Units) {
+      return seconds_in(array.texts[0]).value_or(1.0);
+    }
+  }
+  return 1.0;
+}
+
+// Times, one for each sample.
 std::optional<Sampling> timed(const std::vector<NamedArray>& all,
                               std::string_view name,
                               Eigen::Index samples) {
@@ -69,7 +82,7 @@ std::optional<Sampling> timed(const std::vector<NamedArray>& all,
            array.samples() == samples && array.name != name;
   });
   if (found == nullptr) return std::nullopt;
-  const auto rate = rate_of_times(found->column(0));
+  const auto rate = rate_of_times(seconds_of(all, *found) * found->column(0));
   if (!rate || rate->uneven) return std::nullopt;
   return Sampling{rate->hz, rate->spread};
 }

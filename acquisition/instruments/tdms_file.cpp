@@ -43,11 +43,10 @@ std::string plain_path(const std::string& path) {
 // Appends a piece to its channel, as far as memory goes.
 class Collect {
  public:
-  explicit Collect(const std::filesystem::path& file) : file_(file) {}
+  explicit Collect(const std::filesystem::path& file) : room_(file) {}
 
   void operator()(const TdmsPiece& piece) {
-    total_ += static_cast<double>(piece.count);
-    refuse_too_large(file_, "all channels together", total_);
+    room_.take("", static_cast<double>(piece.count));
     if (samples_.size() <= piece.object) samples_.resize(piece.object + 1);
     std::vector<double>& to = samples_[piece.object];
     to.resize(to.size() + piece.count);
@@ -66,9 +65,8 @@ class Collect {
   }
 
  private:
-  const std::filesystem::path& file_;
+  ArrayRoom room_;
   Samples samples_;
-  double total_ = 0.0;
 };
 
 void add_properties(const TdmsObject& object,

@@ -4,10 +4,12 @@
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/foundation/utf8.hpp"
+#include "acquisition/readers/time_units.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <fstream>
@@ -99,7 +101,11 @@ void split_at_returns(std::vector<std::string>& lines) {
   }
 }
 
-Text read_lines(const std::filesystem::path& file) {
+// Asked for now and then.
+constexpr std::size_t lines_at_once = 1U << 14U;
+
+Text read_lines(const std::filesystem::path& file,
+                const Progress& progress = {}) {
   std::ifstream stream = open_input(file, most_table_bytes());
   if (!stream) {
     throw InputError("cannot be opened", file.string(), "correct the path");
@@ -112,6 +118,7 @@ Text read_lines(const std::filesystem::path& file) {
       line.erase(0, 3);
     }
     text.lines.push_back(line);
+    if (text.lines.size() % lines_at_once == 0) progress("reading", 0.0);
   }
   if (!text.lines.empty()) refuse_utf16(text);
   split_at_returns(text.lines);
@@ -155,12 +162,28 @@ std::size_t first_data_line(const Text& text, const CsvOptions& options) {
 
 // Volts and seconds are what a recorder's columns are in besides.
 bool is_unit(const std::string& field) {
-  return find_unit(field) || field == "V" || field == "mV" || field == "s";
+  return find_unit(field) || field == "V" || field == "mV" || seconds_in(field);
+}
+
+// "time_ms", "Zeit / ms": of times alone, since names may end so, too.
+void take_time_unit_off(CsvColumn& column) {
+  const std::size_t at = column.name.find_last_of(" _/,");
+  const std::size_t end = column.name.find_first_of(" _/,");
+  if (at == std::string::npos || !seconds_in(column.name.substr(at + 1))) {
+    return;
+  }
+  const std::string time = column.name.substr(0, end);
+  constexpr auto times = std::to_array<std::string_view>(
+      {"t", "T", "time", "Time", "TIME", "zeit", "Zeit", "ZEIT"});
+  if (std::ranges::count(times, time) == 0) return;
+  if (column.unit.empty()) column.unit = column.name.substr(at + 1);
+  column.name = time;
 }
 
 // "a [g]" or "a (g)" taken apart.
 void take_unit_off(CsvColumn& column) {
   const std::size_t open = column.name.find_last_of("[(");
+  if (open == std::string::npos) take_time_unit_off(column);
   if (open == std::string::npos || column.name.size() < open + 3) return;
   const char close = column.name[open] == '[' ? ']' : ')';
   if (column.name.back() != close) return;
@@ -175,7 +198,7 @@ CsvColumn describe_column(const Text& text, std::size_t data, std::size_t k) {
   CsvColumn column{std::to_string(k + 1), {}, {}};
   for (std::size_t line = data; line-- > 0 && column.name.empty();) {
     const std::vector<std::string> fields =
-        split(as_utf8(text.lines[line]), text.layout.separator);
+        split(printable(text.lines[line]), text.layout.separator);
     if (k >= fields.size() || fields[k].empty()) continue;
     if (is_unit(fields[k])) {
       if (column.unit.empty()) column.unit = fields[k];
@@ -235,8 +258,9 @@ std::vector<CsvColumn> list_csv_columns(const std::filesystem::path& file,
 
 CsvTable read_csv_table(const std::filesystem::path& file,
                         const std::vector<std::string>& columns,
-                        const CsvOptions& options) {
-  const Text text = read_lines(file);
+                        const CsvOptions& options,
+                        const Progress& progress) {
+  const Text text = read_lines(file, progress);
   const std::size_t data = first_data_line(text, options);
   CsvTable table;
   std::vector<std::size_t> positions;
@@ -250,6 +274,7 @@ CsvTable read_csv_table(const std::filesystem::path& file,
   values.resize(static_cast<Eigen::Index>(text.lines.size() - data),
                 static_cast<Eigen::Index>(columns.size()));
   for (std::size_t i = data; i < text.lines.size(); ++i) {
+    if (i % lines_at_once == 0) progress("reading", 0.5);
     const std::vector<std::string> fields =
         split(text.lines[i], text.layout.separator);
     for (std::size_t k = 0; k < positions.size(); ++k) {

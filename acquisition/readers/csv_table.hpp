@@ -1,6 +1,8 @@
 // Columns of numbers out of a CSV file as data loggers write it.
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
+
 #include <Eigen/Core>
 
 #include <filesystem>
@@ -43,10 +45,11 @@ struct CsvTable {
 ///   behind it, in UTF-8 also where the file is in Latin-1, or a number from 1
 ///   on
 /// @throws InputError with file:line:column for what is no finite number, for
-///   a column that is not there, for a file without numbers
+///   a column that is not there, for a file without numbers; Stopped
 [[nodiscard]] CsvTable read_csv_table(const std::filesystem::path& file,
                                       const std::vector<std::string>& columns,
-                                      const CsvOptions& options);
+                                      const CsvOptions& options,
+                                      const Progress& progress = {});
 
 /// Their values alone, n_rows x columns.size().
 [[nodiscard]] Eigen::MatrixXd read_csv_columns(

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/readers/inflate.hpp"
+#include "acquisition/readers/named_array.hpp"
 
 #include <fmt/format.h>
 
@@ -48,6 +49,14 @@ struct Element {
   [[nodiscard]] Length padded() const { return (length + 7) / 8 * 8; }
 };
 
+// Numbers that an element of data holds, by its type (miINT8 ... miUINT64).
+double numbers_in(const Element& element) {
+  constexpr std::array<Length, 14> widths{
+      0, 1, 1, 2, 2, 4, 4, 4, 0, 8, 0, 0, 8, 8};
+  const Length width = element.type < widths.size() ? widths[element.type] : 0;
+  return width == 0 ? 0.0 : static_cast<double>(element.length / width);
+}
+
 constexpr std::uint32_t matrix = 14;
 constexpr std::uint32_t packed = 15;
 
@@ -80,7 +89,18 @@ class PackedElements {
   std::array<unsigned char, 1 << 14> scratch_{};
 };
 
-bool holds_what_it_says(PackedElements& bytes, bool little) {
+// What is said of memory, and whether to go on.
+struct Bounds {
+  ArrayRoom room;
+  const Progress& progress;
+
+  void pass(const Element& element) {
+    room.take("", numbers_in(element));
+    progress("reading", 0.0);
+  }
+};
+
+bool holds_what_it_says(PackedElements& bytes, bool little, Bounds& bounds) {
   Length at = 0;
   Length end = 8;
   while (at + 8 <= end) {
@@ -91,6 +111,7 @@ bool holds_what_it_says(PackedElements& bytes, bool little) {
     if (at == 8) end = 8 + element.length;  // the outermost, around all others
     if (element.length > end - at) return false;
     if (element.type == matrix) continue;
+    bounds.pass(element);
     const Length step = std::min(element.padded(), end - at);
     if (!bytes.skip(step)) return false;
     at += step;
@@ -103,7 +124,8 @@ bool holds_what_it_says(PackedElements& bytes, bool little) {
 void walk_elements(std::ifstream& in,
                    const std::filesystem::path& file,
                    Length end,
-                   bool little) {
+                   bool little,
+                   Bounds& bounds) {
   for (Length at = 128; at + 8 <= end;) {
     Tag tag{};
     in.seekg(static_cast<std::streamoff>(at));
@@ -116,12 +138,14 @@ void walk_elements(std::ifstream& in,
     }
     if (element.type == packed) {
       PackedElements bytes(in, element.length);
-      if (!holds_what_it_says(bytes, little)) {
+      if (!holds_what_it_says(bytes, little, bounds)) {
         throw InputError("is damaged: what is packed there does not unpack",
                          fmt::format("{}, byte {}", file.string(), at),
                          "copy the file again, or save it anew");
       }
       in.clear();
+    } else {
+      bounds.pass(element);
     }
     at += 8;
     if (element.type == matrix) continue;  // its own elements come next
@@ -134,7 +158,8 @@ void walk_elements(std::ifstream& in,
 // byte order, 0, width of a value, kind of matrix.
 void walk_variables(std::ifstream& in,
                     const std::filesystem::path& file,
-                    Length size) {
+                    Length size,
+                    Bounds& bounds) {
   constexpr std::array<double, 6> widths{8, 4, 4, 2, 2, 1};
   constexpr std::uint32_t largest_type = 4052;
   for (Length at = 0; at + 20 <= size;) {
@@ -158,6 +183,7 @@ void walk_variables(std::ifstream& in,
     if (length > static_cast<double>(size - at - 20)) {
       throw ends_early(file, at, length, size - at - 20);
     }
+    bounds.room.take("", values);
     at += 20 + static_cast<Length>(length);
   }
 }
@@ -192,16 +218,18 @@ bool mat_is_hdf5(const std::filesystem::path& file) {
   return header.whole && header.version == 2;
 }
 
-void check_mat_elements(const std::filesystem::path& file) {
+void check_mat_elements(const std::filesystem::path& file,
+                        const Progress& progress) {
   const MatHeader header(file);
   std::error_code ignored;
   const Length size = std::filesystem::file_size(file, ignored);
   if (ignored) return;
   std::ifstream in = open_input(file);
+  Bounds bounds{ArrayRoom(file), progress};
   if (!header.whole) {
-    walk_variables(in, file, size);
+    walk_variables(in, file, size, bounds);
   } else if (header.version == 1) {
-    walk_elements(in, file, size, header.little);
+    walk_elements(in, file, size, header.little, bounds);
   }
 }
 

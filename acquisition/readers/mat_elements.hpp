@@ -6,6 +6,7 @@
 #pragma once
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/progress.hpp"
 
 #include <filesystem>
 #include <string>
@@ -22,7 +23,10 @@ namespace tapfit::acquisition {
 /// what is packed. Files of version 7.3 are HDF5,
 /// which is read by a process of its own (own_process.hpp).
 ///
-/// @throws InputError with the byte where it ends early or is damaged
-void check_mat_elements(const std::filesystem::path& file);
+/// @param progress asked whether to go on
+/// @throws InputError with the byte where it ends early or is damaged, and
+///   where memory does not hold all its numbers; Stopped
+void check_mat_elements(const std::filesystem::path& file,
+                        const Progress& progress = {});
 
 }  // namespace tapfit::acquisition

@@ -31,8 +31,8 @@ using Variable = std::unique_ptr<matvar_t, FreeVariable>;
 // matio's own messages go nowhere; what is wrong is said by InputError.
 void say_nothing(int, char*) {}
 
-File open_mat(const std::filesystem::path& file) {
-  check_mat_elements(file);
+File open_mat(const std::filesystem::path& file, const Progress& progress) {
+  check_mat_elements(file, progress);
   Mat_LogInitFunc("tapfit", say_nothing);
   File handle(Mat_Open(file.c_str(), MAT_ACC_RDONLY));
   if (handle) return handle;
@@ -95,9 +95,12 @@ double most_bytes(const std::filesystem::path& path) {
 
 // matio takes memory for all that a variable announces before it reads any. A
 // value takes a byte at least.
+//
+// @param room what is left of it
 void refuse_tall_tale(mat_t* file,
                       const std::filesystem::path& path,
-                      const std::string& name) {
+                      const std::string& name,
+                      ArrayRoom room) {
   const Variable info(Mat_VarReadInfo(file, name.c_str()));
   if (!info || info->dims == nullptr) return;
   double values = 1.0;
@@ -107,7 +110,7 @@ void refuse_tall_tale(mat_t* file,
   if (values > most_bytes(path)) {
     throw_damaged(path, fmt::format("\"{}\"", name));
   }
-  refuse_too_large(path, name, values);
+  room.take(name, values);
 }
 
 // Whether the variable's bytes are as many as its two dimensions ask for.
@@ -243,12 +246,15 @@ class Flatten {
 
 // @param take gets the arrays of one variable after the other
 void read_variables(const std::filesystem::path& path,
+                    const Progress& progress,
                     const std::function<void(NamedArray&&)>& take) {
-  const File file = open_mat(path);
+  const File file = open_mat(path, progress);
   const std::vector<std::string> names = names_in(file.get());
   if (names.empty()) throw_damaged(path, "its variables");
+  ArrayRoom room(path);
   for (const std::string& name : names) {
-    refuse_tall_tale(file.get(), path, name);
+    progress("reading", 0.0);
+    refuse_tall_tale(file.get(), path, name, room);
     const Variable variable(Mat_VarRead(file.get(), name.c_str()));
     std::vector<NamedArray> arrays;
     if (variable) {
@@ -256,26 +262,32 @@ void read_variables(const std::filesystem::path& path,
     } else {
       arrays.push_back({.name = name, .kind = NamedArray::Kind::Damaged});
     }
-    for (NamedArray& array : arrays) take(std::move(array));
+    for (NamedArray& array : arrays) {
+      room.take(array.name, static_cast<double>(array.values.size()));
+      take(std::move(array));
+    }
   }
 }
 
 }  // namespace
 
-std::vector<NamedArray> read_mat_arrays(const std::filesystem::path& file) {
+std::vector<NamedArray> read_mat_arrays(const std::filesystem::path& file,
+                                        const Progress& progress) {
   std::vector<NamedArray> arrays;
   if (!mat_is_hdf5(file)) {
-    read_variables(
-        file, [&](NamedArray&& array) { arrays.push_back(std::move(array)); });
+    read_variables(file, progress, [&](NamedArray&& array) {
+      arrays.push_back(std::move(array));
+    });
     return arrays;
   }
   in_own_process(
       file,
       [&](std::FILE* out) {
-        read_variables(file,
-                       [&](NamedArray&& array) { send_array(array, out); });
+        read_variables(
+            file, {}, [&](NamedArray&& array) { send_array(array, out); });
       },
-      [&](std::FILE* in) { arrays = receive_arrays(in); });
+      [&](std::FILE* in) { arrays = receive_arrays(in); },
+      progress.stop);
   return arrays;
 }
 

@@ -1,6 +1,7 @@
 // Arrays out of MATLAB files, by way of matio (included only here).
 #pragma once
 
+#include "acquisition/foundation/progress.hpp"
 #include "acquisition/readers/named_array.hpp"
 
 #include <filesystem>
@@ -13,9 +14,9 @@ namespace tapfit::acquisition {
 /// "run(2).acc" and so on), "names{1}"; a cell of texts is one list of texts.
 ///
 /// @throws InputError for a file that is none or is damaged, for a variable
-///   that memory does not hold
+///   that memory does not hold; Stopped
 [[nodiscard]] std::vector<NamedArray> read_mat_arrays(
-    const std::filesystem::path& file);
+    const std::filesystem::path& file, const Progress& progress = {});
 
 /// The version of matio that is in use.
 [[nodiscard]] std::string matlab_library();

@@ -184,15 +184,21 @@ double number_of(const std::vector<NamedArray>& all,
       "name a variable that holds one number");
 }
 
-void refuse_too_large(const std::filesystem::path& file,
-                      const std::string& name,
-                      double values) {
-  if (sizeof(double) * values <= most_matrix_bytes()) return;
+void ArrayRoom::take(const std::string& name, double values) {
+  // A number stands in its array, its record and the table made of records.
+  constexpr double places = 3.0;
+  values_ += values;
+  if (places * sizeof(double) * values_ <= most_matrix_bytes()) return;
   throw InputError(
-      fmt::format(
-          "\"{}\" has {:.3g} values, more than memory holds", name, values),
-      file.string(),
-      "save a part of it; if it is not that long, the file is damaged");
+      name.empty()
+          ? fmt::format("has {:.3g} values, more than memory holds", values_)
+          : fmt::format("\"{}\" has {:.3g} values, with those before it more "
+                        "than memory holds",
+                        name,
+                        values),
+      file_.string(),
+      "save a part of it, or the channels in several files; if it is not that "
+      "long, the file is damaged");
 }
 
 void throw_damaged(const std::filesystem::path& file, const std::string& what) {

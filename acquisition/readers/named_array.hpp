@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace tapfit::acquisition {
@@ -65,12 +66,21 @@ struct NamedArray {
                                const std::string& name,
                                const std::filesystem::path& file);
 
-/// Refuses arrays that memory does not hold.
-/// @param values how many numbers it has, of how many dimensions whatever
-/// @throws InputError
-void refuse_too_large(const std::filesystem::path& file,
-                      const std::string& name,
-                      double values);
+/// What the arrays of one file may take of memory, all together.
+class ArrayRoom {
+ public:
+  explicit ArrayRoom(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// To be asked before an array is made.
+  /// @param name empty: of whatever array
+  /// @param values how many numbers it has, of how many dimensions whatever
+  /// @throws InputError where memory does not hold them and those before
+  void take(const std::string& name, double values);
+
+ private:
+  std::filesystem::path file_;
+  double values_ = 0.0;
+};
 
 /// What to say of an array that is listed and does not come.
 [[noreturn]] void throw_damaged(const std::filesystem::path& file,

@@ -1,6 +1,7 @@
 #include "acquisition/readers/own_process.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/progress.hpp"
 
 #include <array>
 #include <cerrno>
@@ -94,10 +95,13 @@ void tell(const InputError& error, std::FILE* out) {
   ::_exit(status);
 }
 
+// @throws Stopped where the process was asked to end, as a group may be
 int exit_status_of(pid_t process) {
   int status = 0;
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGINT || signal == SIGTERM) throw Stopped{};
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
 }
 
@@ -113,14 +117,18 @@ std::string text_up_to_zero(std::FILE* in) {
 
 void in_own_process(const std::filesystem::path& file,
                     const std::function<void(std::FILE*)>& write,
-                    const std::function<void(std::FILE*)>& read) {
+                    const std::function<void(std::FILE*)>& read,
+                    const std::stop_token& stop) {
   Pipe answer(file);
   Pipe refusal(file);
   const pid_t process = ::fork();
   if (process == 0) work(answer, refusal, file, write);
   answer.into.reset();
   refusal.into.reset();
-  if (process > 0) read(answer.out_of.get());
+  if (process > 0) {
+    const std::stop_callback end(stop, [&] { ::kill(process, SIGTERM); });
+    read(answer.out_of.get());
+  }
   answer.out_of.reset();  // what it still writes ends it
   const int status = process > 0 ? exit_status_of(process) : 1;
   if (status == done) return;

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <functional>
+#include <stop_token>
 
 namespace tapfit::acquisition {
 
@@ -15,9 +16,12 @@ namespace tapfit::acquisition {
 /// @param file what is read, for messages; its size bounds the computing time
 /// @param write may throw InputError, which is thrown here
 /// @param read gets the bytes; must bear their end at any place
-/// @throws InputError also where the process came down or took too long
+/// @param stop ends the process, wherever it is
+/// @throws InputError also where the process came down or took too long;
+///   Stopped
 void in_own_process(const std::filesystem::path& file,
                     const std::function<void(std::FILE*)>& write,
-                    const std::function<void(std::FILE*)>& read);
+                    const std::function<void(std::FILE*)>& read,
+                    const std::stop_token& stop = {});
 
 }  // namespace tapfit::acquisition

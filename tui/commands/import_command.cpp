@@ -219,9 +219,10 @@ std::string import_command(const CommandOptions& options,
   acquisition::ImportProposal proposal;
   proposal.options = options_of(options);
   if (options.imports.hammer.empty() || options.imports.sensors.empty()) {
-    proposal = acquisition::propose_import(proposal.options);
+    proposal = acquisition::propose_import(proposal.options, progress);
   }
-  const auto bundle = acquisition::import_recordings(proposal.options);
+  const auto bundle =
+      acquisition::import_recordings(proposal.options, progress);
   return options.json ? json_text(bundle, proposal)
                       : plain_text(bundle, proposal);
 }

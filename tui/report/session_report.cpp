@@ -53,8 +53,7 @@ void write_report(const Document& document,
   }
   acquisition::OutputFolder pictures(*folder, rule);
   for (const Figure& figure : figures_of(document)) {
-    acquisition::write_file(
-        pictures.file(figure.name + ".svg"), figure.svg + "\n", {});
+    pictures.write(figure.name + ".svg", figure.svg + "\n");
   }
   report.stream() << as_markdown(document, folder->filename().string());
   report.finish();

@@ -121,23 +121,21 @@ VirtualBundleResult make_virtual_bundle(const VirtualBundleSpec& spec,
     progress("writing",
              static_cast<double>(k) / static_cast<double>(bundle.runs.size()));
     SeededRandom random(spec.seed, "chain", k);
-    acquisition::write_audio(
-        output.file(bundle.runs[k].file.filename()),
-        acquisition::digitise(
-            records.responses[k], setup.recorder, chains, random),
-        static_cast<int>(setup.recorder.rate_hz),
-        acquisition::AudioFormat::Flac24);
+    output.write(bundle.runs[k].file.filename(), [&](const fs::path& file) {
+      acquisition::write_audio(
+          file,
+          acquisition::digitise(
+              records.responses[k], setup.recorder, chains, random),
+          static_cast<int>(setup.recorder.rate_hz),
+          acquisition::AudioFormat::Flac24);
+    });
   }
-  write_model(setup, output.file("model.bdf"));
-  acquisition::write_file(output.file("test.json"),
-                          acquisition::test_bundle_text(bundle, folder),
-                          {});
-  write_ground_truth(spec,
-                     setup,
-                     structure,
-                     records.first,
-                     factor,
-                     output.file(truth_file_of(spec)));
+  output.write("model.bdf",
+               [&](const fs::path& file) { write_model(setup, file); });
+  output.write("test.json", acquisition::test_bundle_text(bundle, folder));
+  output.write(truth_file_of(spec), [&](const fs::path& file) {
+    write_ground_truth(spec, setup, structure, records.first, factor, file);
+  });
   output.commit();
 
   VirtualBundleResult result = summary_of(setup, records.first);

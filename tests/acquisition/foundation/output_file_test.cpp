@@ -139,12 +139,12 @@ TEST_F(Outputs, FolderComesWithAllItsFilesOrNotAtAll) {
   const fs::path target = folder_.path() / "new" / "test";
   {
     const OutputFolder output(target, {});
-    write_file(output.file("a.txt"), "a", {});
+    output.write("a.txt", "a");
   }
   EXPECT_EQ(entries_of(folder_.path()), 0);
   OutputFolder output(target, {});
-  write_file(output.file("a.txt"), "a", {});
-  write_file(output.file("b.txt"), "b", {});
+  output.write("a.txt", "a");
+  output.write("b.txt", "b");
   EXPECT_FALSE(fs::exists(target));
   output.commit();
   EXPECT_EQ(content_of(target / "b.txt"), "b");
@@ -152,23 +152,37 @@ TEST_F(Outputs, FolderComesWithAllItsFilesOrNotAtAll) {
   EXPECT_EQ(entries_of(folder_.path()), 1);
 }
 
+// The name that its user knows, not that of the folder beside it.
+TEST_F(Outputs, FolderNamesTheFileThatCouldNotBeWritten) {
+  const fs::path target = folder_.path() / "test";
+  const OutputFolder output(target, {});
+  try {
+    output.write("a.wav", [](const fs::path& file) {
+      throw InputError("is full", file.string() + ":1", "try this");
+    });
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.where(), (target / "a.wav").string() + ":1");
+  }
+}
+
 // Of what is in it already, the rule decides file by file.
 TEST_F(Outputs, FolderAsksItsRuleForEveryFile) {
   const fs::path input = folder_.write("input.txt", "input");
   folder_.write("a.txt", "older");
   const OutputFolder kept(folder_.path(), OutputRule{{input}, false});
-  EXPECT_THROW((void)kept.file("a.txt"), InputError);
+  EXPECT_THROW(kept.write("a.txt", ""), InputError);
   const OutputFolder forced(folder_.path(), OutputRule{{input}, true});
-  EXPECT_NO_THROW((void)forced.file("a.txt"));
-  EXPECT_THROW((void)forced.file("input.txt"), InputError);
+  EXPECT_NO_THROW(forced.write("a.txt", ""));
+  EXPECT_THROW(forced.write("input.txt", ""), InputError);
 }
 
 // What came between is found when all are brought in, and none is then.
 TEST_F(Outputs, FolderThatMayNotBeWrittenStaysAsItWas) {
   {
     OutputFolder output(folder_.path(), {});
-    write_file(output.file("a.txt"), "newer", {});
-    write_file(output.file("b.txt"), "newer", {});
+    output.write("a.txt", "newer");
+    output.write("b.txt", "newer");
     folder_.write("b.txt", "older");
     EXPECT_THROW(output.commit(), InputError);
   }
@@ -227,7 +241,7 @@ TEST_F(Outputs, FolderThatIsThereKeepsItsOtherFiles) {
   folder_.write("other.txt", "other");
   {
     OutputFolder output(folder_.path(), OutputRule{{}, true});
-    write_file(output.file("a.txt"), "newer", {});
+    output.write("a.txt", "newer");
     EXPECT_EQ(content_of(folder_.path() / "a.txt"), "older");
     output.commit();
   }

@@ -276,6 +276,29 @@ TEST_F(Csv, TimesPrintedWithFewDigitsGiveTheWholeRate) {
       << bundle.warnings[0];
 }
 
+TEST_F(Csv, AnImportThatIsStoppedLeavesNothing) {
+  ImportOptions options = simple(folder_);
+  options.files = {{folder_.write("a.csv", "t,f,a\n0,1,3\n.01,2,-4\n"), {}}};
+  std::stop_source stop;
+  // At each of its steps, until there are no more.
+  for (int step = 0; step < 20; ++step) {
+    stop = {};
+    int passed = 0;
+    const Progress progress{[&](std::string_view, double) {
+                              if (passed++ == step) stop.request_stop();
+                            },
+                            stop.get_token()};
+    try {
+      (void)import_recordings(options, progress);
+      EXPECT_GE(step, 2);
+      return;
+    } catch (const Stopped&) {
+      EXPECT_FALSE(std::filesystem::exists(options.folder));
+    }
+  }
+  FAIL() << "it came to no end";
+}
+
 TEST_F(Csv, ARateOfNothingIsNoRate) {
   ImportOptions options = simple(folder_);
   options.files = {{folder_.write("a.csv", "t,f,a\n0,1,3\n1,2,4\n"), {}}};

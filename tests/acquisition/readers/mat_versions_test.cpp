@@ -1,6 +1,7 @@
 // MATLAB files of every version: 4 (byte by byte, mat_text.hpp), 5 plain and
 // compressed, 7.3 (HDF5), written by matio itself.
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/readers/mat_file.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/support/matchers.hpp"
@@ -148,6 +149,35 @@ TEST(MatDamage, PackedNumbersOfHdf5AreRefusedByName) {
         (void)samples_of(read_mat_arrays(bad), "force", bad);
       },
       Refuses("\"force\" cannot be read"));
+}
+
+// Three variables, each 0.4 of what all together may take. The file has
+// holes where the numbers are and takes no room on disk.
+TEST(MatFile, ItsVariablesAreHeldByMemoryTogether) {
+  testing::TemporaryFolder folder;
+  const auto file = folder.path() / "vast.mat";
+  const auto columns =
+      static_cast<std::uint32_t>(0.4 * most_matrix_bytes() / 24 / 65536);
+  std::ofstream out(file, std::ios::binary);
+  for (const char name : {'a', 'b', 'c'}) {
+    for (const std::uint32_t number : {0U, 65536U, columns, 0U, 2U}) {
+      out.write(reinterpret_cast<const char*>(&number), 4);
+    }
+    out << name << '\0';
+    out.seekp(std::streamoff{65536} * columns * 8, std::ios::cur);
+  }
+  out.seekp(-1, std::ios::cur);
+  out << '\0';
+  out.close();
+  EXPECT_THAT([&] { (void)read_mat_arrays(file); },
+              Refuses("more than memory holds"));
+}
+
+TEST(NamedArrays, ShareTheRoomOfTheirFile) {
+  const double half = 0.6 * most_matrix_bytes() / 24;  // of numbers in 3 places
+  ArrayRoom room("run.mat");
+  room.take("a", half);
+  EXPECT_THAT([&] { room.take("b", half); }, Refuses("\"b\" has"));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include "acquisition/readers/own_process.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/progress.hpp"
 #include "acquisition/readers/named_array.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/support/matchers.hpp"
@@ -60,6 +61,28 @@ TEST_F(OwnProcess, OneThatComesDownIsADamagedFile) {
     EXPECT_THAT(said, HasSubstr(file_.string()));
     EXPECT_THAT(said, HasSubstr("is damaged"));
   }
+}
+
+// It would take ten seconds, and then be called damaged.
+TEST_F(OwnProcess, EndsWhenItIsToStop) {
+  std::stop_source stop;
+  const auto work = [](std::FILE* out) {
+    send_array({.name = "a"}, out);
+    std::fflush(out);
+    for (volatile bool on = true; on;) {
+    }
+  };
+  const auto read = [&](std::FILE* in) {
+    EXPECT_EQ(std::fgetc(in), 1);  // it is at work
+    stop.request_stop();
+    while (std::fgetc(in) != EOF) {
+    }
+  };
+  EXPECT_THROW(in_own_process(file_, work, read, stop.get_token()), Stopped);
+  EXPECT_THROW(
+      in_own_process(
+          file_, [](std::FILE*) { std::raise(SIGTERM); }, [](std::FILE*) {}),
+      Stopped);
 }
 
 }  // namespace
