@@ -10,12 +10,14 @@
 #include "acquisition/bundle/test_schema.hpp"
 #include "acquisition/bundle/uff_bundle.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/units.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <set>
 
@@ -44,11 +46,6 @@ Channel read_channel(const json& entry,
   }
   channel.unit_to_si = unit->si;
   channel.sensitivity = entry.at("sensitivity").get<double>();
-  if (channel.sensitivity == 0.0) {
-    throw InputError("the sensitivity is 0",
-                     source.at(place + ".sensitivity"),
-                     "give the volts per unit of the sensor's sheet");
-  }
   if (entry.contains("sensitivity_unit")) {
     const std::string text = entry["sensitivity_unit"].get<std::string>();
     const std::optional<SensitivityUnit> per = find_sensitivity_unit(text);
@@ -61,6 +58,18 @@ Channel read_channel(const json& entry,
                            known_units(channel.quantity));
     }
     channel.sensitivity *= per->volts * unit->si / per->unit.si;
+  }
+  // Beyond, numbers overflow before they tell anything.
+  constexpr double most = 1e12;
+  const double size = std::abs(channel.sensitivity);
+  if (!(size >= 1.0 / most) || !(size <= most)) {
+    throw InputError(
+        fmt::format("the sensitivity is {:.6g} V per {}, which no sensor has",
+                    channel.sensitivity,
+                    channel.unit),
+        source.at(place + ".sensitivity"),
+        "give the volts per unit of the sensor's sheet: 1e-4 to 1 V/N are "
+        "usual, 1e-3 to 1 V/(m/s^2)");
   }
   channel.full_scale_volts = entry.at("full_scale_volts").get<double>();
   if (entry.contains("mass_kg")) {
@@ -92,7 +101,7 @@ fs::path existing_file(const json& entry,
   fs::path file = source.folder / entry.get<std::string>();
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored)) {
-    throw InputError(fmt::format("there is no file {}", file.string()),
+    throw InputError(no_file(file),
                      source.at(place),
                      "correct the path; it is relative to test.json's folder");
   }

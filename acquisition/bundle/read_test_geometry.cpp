@@ -3,6 +3,7 @@
 #include "acquisition/bundle/uff_file.hpp"
 #include "acquisition/bundle/uff_points.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/model_units.hpp"
 
 #include <fmt/format.h>
@@ -55,7 +56,7 @@ std::filesystem::path file_of(const json& entry,
   std::filesystem::path file = source.folder / entry["file"].get<std::string>();
   std::error_code ignored;
   if (std::filesystem::is_regular_file(file, ignored)) return file;
-  throw InputError(fmt::format("there is no file {}", file.string()),
+  throw InputError(no_file(file),
                    source.at("geometry.file"),
                    "correct the path; it is relative to test.json's folder");
 }

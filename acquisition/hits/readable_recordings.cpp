@@ -2,6 +2,7 @@
 
 #include "acquisition/bundle/run_reader.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/parallel.hpp"
 #include "acquisition/hits/find_hits.hpp"
 #include "acquisition/hits/no_hits.hpp"
@@ -88,8 +89,8 @@ void check_run_files(const TestBundle& bundle, Unreadable missing) {
   if (missing == Unreadable::LeftOut && !all) return;
   throw InputError(
       fmt::format(
-          "there is no file {}{}",
-          first->file.string(),
+          "{}{}",
+          no_file(first->file),
           all && bundle.runs.size() > 1 ? ", nor that of any other run" : ""),
       fmt::format("test.json: runs[{}].file", first - bundle.runs.begin()),
       "correct the path; it is relative to test.json's folder");

@@ -48,10 +48,11 @@ void into_columns(const Eigen::Ref<const RowMajor>& chunk,
 
 Handle open_to_read(const std::filesystem::path& file, SF_INFO& info) {
   std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) {
+  if (!std::filesystem::exists(file, ignored)) {
     throw InputError(
         "there is no such file", file.string(), "correct the path");
   }
+  check_input(file);
   // Several runs are read at a time, but the reason of a refusal is kept in one
   // place for all.
   static std::mutex reason;

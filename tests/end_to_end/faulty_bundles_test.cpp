@@ -139,6 +139,18 @@ std::vector<Fault> faults_of_the_sheet() {
       {"sensitivity of 0", "the sensitivity is 0", "hits", sheet([](json& t) {
          t["channels"][1]["sensitivity"] = 0;
        })},
+      {"sensitivity of no sensor",
+       "which no sensor has",
+       "hits",
+       sheet([](json& t) { t["channels"][0]["sensitivity"] = 1e-308; })},
+      {"sensor of a thousand tonnes",
+       "100 the most",
+       "hits",
+       sheet([](json& t) { t["channels"][1]["mass_kg"] = 1e6; })},
+      {"control character in a name",
+       "holds a control character",
+       "hits",
+       sheet([](json& t) { t["channels"][1]["name"] = "acc1\x1b[31m"; })},
       {"unit that is none", "is no known unit of", "hits", sheet([](json& t) {
          t["channels"][1]["unit"] = "furlong";
        })},
@@ -189,7 +201,7 @@ std::vector<Fault> faults_of_files() {
        "hits",
        [](const fs::path& b) { fs::remove(first_recording(b)); }},
       {"recording is a folder",
-       "there is no file",
+       "is a folder",
        "hits",
        [](const fs::path& b) {
          const fs::path file = first_recording(b);

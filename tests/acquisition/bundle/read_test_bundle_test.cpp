@@ -116,6 +116,31 @@ TEST_F(Bundle, SaysThatATextIsLatin1) {
                         Property(&InputError::what, Not(HasSubstr("\xfc"))))));
 }
 
+// What a terminal takes for a command, and what turns a text around.
+TEST_F(Bundle, RefusesControlCharactersInAnyText) {
+  for (const char* control :
+       {"\x1b[31m", "\x07", "\xc2\x9b", "\xe2\x80\xae", "\x7f"}) {
+    json document = good();
+    document["channels"][1]["name"] = std::string("acc1") + control;
+    refuses(document, "test.json: channels[1].name");
+    document = good();
+    document["title"] = control;
+    refuses(document, "test.json: title");
+    document = good();
+    document["runs"][0]["file"] = control;
+    refuses(document, "test.json: runs[0].file");
+    document = good();
+    document[control] = 1;
+    EXPECT_THROW(read(document), InputError);
+  }
+}
+
+TEST_F(Bundle, TakesLineEndsForBlanks) {
+  json document = good();
+  document["title"] = "A plate\nof steel";
+  EXPECT_EQ(read(document).title, "A plate of steel");
+}
+
 TEST_F(Bundle, AcceptsThePathOfTheFileItself) {
   read(good());
   EXPECT_EQ(read_test_bundle(folder_.path() / "test.json").runs.size(), 1U);
@@ -229,6 +254,30 @@ TEST_F(Bundle, RefusesWithThePlace) {
   refuses(with("/trigger_percent", 0), "test.json: trigger_percent");
   refuses(with("/trigger_slope", "up"), "test.json: trigger_slope");
   refuses(with("/suspension_hz", 0), "test.json: suspension_hz");
+  refuses(with("/suspension_hz", 1e308), "test.json: suspension_hz");
+  refuses(with("/block_s", 1e308), "test.json: block_s");
+  refuses(with("/band_hz/1", 1e308), "test.json: band_hz[1]");
+  refuses(with("/channels/1/mass_kg", 1e308), "test.json: channels[1].mass_kg");
+  refuses(with("/channels/1/height_m", -1e308),
+          "test.json: channels[1].height_m");
+  refuses(with("/channels/0/full_scale_volts", 1e308),
+          "test.json: channels[0].full_scale_volts");
+  for (const double sensitivity : {0.0, 1e-308, -1e308}) {
+    refuses(with("/channels/0/sensitivity", sensitivity),
+            "test.json: channels[0].sensitivity");
+  }
+}
+
+TEST_F(Bundle, SaysWhatIsInAFilesPlace) {
+  std::filesystem::create_directory(folder_.path() / "folder");
+  json document = good();
+  document["model"] = "folder";
+  try {
+    read(document);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("is a folder"));
+  }
 }
 
 TEST_F(Bundle, NamesMissingFields) {
