@@ -15,16 +15,22 @@ install(FILES packaging/tapfit.desktop
   DESTINATION ${data}/applications COMPONENT tapfit)
 install(DIRECTORY recordings/
   DESTINATION ${data}/tapfit/recordings COMPONENT tapfit
+  PATTERN README.md EXCLUDE  # with the other pages
   PATTERN session.json EXCLUDE)
-install(FILES README.md CHANGELOG.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tapfit)
-install(FILES packaging/copyright
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tapfit)
-install(DIRECTORY docs/
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT tapfit
-  PATTERN decisions EXCLUDE)
+# Pages stand to each other as they do here: they link to each other.
+set(pages ${CMAKE_INSTALL_DOCDIR})
+install(
+  FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE packaging/copyright
+  DESTINATION ${pages} COMPONENT tapfit)
+install(FILES cmake/packages.txt
+  DESTINATION ${pages}/cmake COMPONENT tapfit)
+install(DIRECTORY docs
+  DESTINATION ${pages} COMPONENT tapfit)
+install(DIRECTORY recordings
+  DESTINATION ${pages} COMPONENT tapfit
+  FILES_MATCHING PATTERN README.md)
 install(DIRECTORY examples
-  DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT libtapfit-dev)
+  DESTINATION ${pages} COMPONENT libtapfit-dev)
 
 # The numerical libraries: every header at the path it is included by, below a
 # root of their own, since signal/ must not stand beside <signal.h>.
