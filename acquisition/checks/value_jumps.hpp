@@ -2,13 +2,16 @@
 // parts do not fit together, or a blow that was not the hammer's.
 //
 // Between blows a response is a sum of decays, and hum is one that does not
-// decay: each sample follows from those before it,
+// decay: each sample follows from those behind it,
 //
-//   x_n = c + sum_k a_k x_(n-k) + e_n,   k = 1 ... order,
+//   x_n = c + sum_k a_k x_(n+k) + e_n,   k = 1 ... order,
 //
-// but for noise. Where parts were joined that do not belong together e_n stands
-// out of the e_n before and behind it. In all sensors at once it is no spike of
-// a single cable.
+// but for noise, with the same a_k behind every blow of a run, since the
+// structure is the same: those that are held against one stretch are fitted to
+// the others. Where parts were joined that do not belong together e_n stands
+// out of the e_n behind it, which know nothing of the jump, and before it. In
+// all sensors at once it is no spike of a single cable. Backwards, because that
+// works from the blow on, where a response is loud.
 //
 // Source: linear prediction, as for clicks in S. J. Godsill, P. J. W. Rayner,
 // "Digital Audio Restoration", Springer, 1998, ch. 5.
@@ -25,7 +28,8 @@
 namespace tapfit::acquisition {
 
 struct JumpLimits {
-  Eigen::Index order = 24;  ///< of the prediction: a dozen modes or tones
+  /// Of the prediction: a dozen modes or tones, with noise on them.
+  Eigen::Index order = 40;
   /// |e_n| over its rms on either side, in every sensor; normal noise reaches 5
   /// in a million samples, in one sensor.
   double least_together = 10.0;

@@ -69,6 +69,37 @@ TEST(ValueJumps, OfSamplesLeftOutAreFoundWhereTheyAre) {
   }
 }
 
+// Where the response is loudest, soon after the blow at 4 s.
+TEST(ValueJumps, OfSamplesLeftOutOfRingingAreFoundToo) {
+  struct Cut {
+    Index behind;  // the blow
+    Index lost;
+  };
+  const auto blow = static_cast<Index>(4.0 * rate);
+  for (const Cut& cut : {Cut{100, 37}, Cut{100, 200}, Cut{40, 3}}) {
+    for (unsigned seed = 1; seed <= 5; ++seed) {
+      Recording recording = ringing(seed, 1e-3);
+      const Index at = blow + cut.behind;
+      const Index rest = recording.samples.rows() - at - cut.lost;
+      recording.samples.middleRows(at, rest) =
+          recording.samples.bottomRows(rest).eval();
+      std::vector<Hit> hits = three_hits();
+      hits[2].trigger -= cut.lost;
+      const std::vector<Index> jumps =
+          value_jumps(two_sensors(), recording, hits);
+      ASSERT_EQ(jumps.size(), 1U) << cut.behind << " " << cut.lost;
+      EXPECT_NEAR(static_cast<double>(jumps[0]), static_cast<double>(at), 2.0);
+    }
+  }
+}
+
+// A recorder that waits for its computer may write zeros.
+TEST(ValueJumps, OfZerosPutInAreFound) {
+  Recording recording = ringing(3, 1e-3);
+  recording.samples.block(8400, 1, 50, 2).setZero();
+  EXPECT_FALSE(value_jumps(two_sensors(), recording, three_hits()).empty());
+}
+
 TEST(ValueJumps, AreNoneInWholeRecords) {
   for (const double noise : {0.0, 1e-5, 1e-3, 0.1}) {
     for (unsigned seed = 1; seed <= 5; ++seed) {
