@@ -186,7 +186,8 @@ MatrixXd loss_modes(const HeldBase& base,
   SparseMatrix K = base.system.K - (1.0 - least) * lost.S;
   if (lost.N.size() > 0) {
     K -= (1.0 - effects::thickness_left(least)) * lost.T;
-    forces.push_back(strain_forces(base, lost.T));
+    // The answers to its forces span those to T's: with both the base had no
+    // more than rounding between them.
     forces.push_back(strain_forces(base, lost.N));
   }
   return answers_to(base, K, forces);

@@ -64,7 +64,7 @@ struct LostMatrices {
 /// Of elements that soften to a share `least` of their stiffness S; costs a
 /// factorisation. FRFs through a base with them are good to 5e-4 down to 4 %
 /// of the stiffness and 5e-5 at half of it.
-/// @return n x columns; those of S orthonormal in M, then those of T and of N
+/// @return n x columns; those of S orthonormal in M, and those of N
 [[nodiscard]] Eigen::MatrixXd loss_modes(const HeldBase& base,
                                          const LostMatrices& lost,
                                          double least);
