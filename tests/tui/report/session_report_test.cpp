@@ -2,8 +2,8 @@
 #include "tui/report/session_report.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
-#include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/tui/support/fake_results.hpp"
+#include "tests/tui/support/two_effects.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
 #include "tui/report/report_parameters.hpp"
@@ -14,8 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <set>
 #include <string>
@@ -25,40 +23,10 @@
 namespace tapfit::tui {
 namespace {
 
+using testing::data_of_two_effects;
+
 bool holds(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
-}
-
-/// A mass was added first, then a spring; both were identified anew.
-ReportData data_of_two_effects() {
-  ReportData data;
-  data.path = "strip";
-  data.date = "2026-11-25";
-  data.bundle = testing::fake_bundle();
-  data.hits = testing::fake_hits();
-  data.frfs = testing::fake_frfs();
-  data.modes = testing::fake_modes();
-  ModelResults model;
-  model.deck = testing::fake_deck();
-  model.before = testing::fake_comparison(0.05);
-  model.after = testing::fake_comparison(0.0);
-  model.diagnosis = testing::fake_diagnosis();
-  model.ladder = {{updating::base_rung, {}, 0.388, {}},
-                  {"added-mass",
-                   {.node = 5},
-                   0.1,
-                   {{"mass_kg", 0.0666, 0.0006, 0.0654, 0.0678}}},
-                  {"ground-spring",
-                   {.node = 6},
-                   0.038,
-                   {{"stiffness_n_per_m", 412.0, 3.0, 406.0, 418.0}}}};
-  model.diagnosis->ladder.push_back(model.ladder.back());
-  model.parameters = {
-      {"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10, "Pa"},
-      {"added-mass mass_kg", 0.0785, 0.0006, 0.0773, 0.0797},
-      {"ground-spring stiffness_n_per_m", 412.0, 3.0, 406.0, 418.0}};
-  data.model = std::move(model);
-  return data;
 }
 
 /// Up to the set-up, which begins the second page.
@@ -351,53 +319,6 @@ TEST(ReportDocument, NamesEachPictureOnce) {
                              "error-after"}) {
     EXPECT_TRUE(names.contains(wanted)) << wanted;
   }
-}
-
-class WrittenReport : public ::testing::Test {
- protected:
-  WrittenReport() { std::filesystem::create_directory(path("r-files")); }
-  [[nodiscard]] std::filesystem::path path(const std::string& name) const {
-    return folder_.path() / name;
-  }
-  void write(const acquisition::OutputRule& rule) const {
-    write_report(report_document(data_of_two_effects()), path("r.md"), rule);
-  }
-  [[nodiscard]] std::uintmax_t size_of(const std::string& name) const {
-    return std::filesystem::file_size(path(name));
-  }
-
-  ::tapfit::testing::TemporaryFolder folder_;
-};
-
-TEST_F(WrittenReport, ReplacesPicturesOnlyWhereTheRuleLetsIt) {
-  folder_.write("r-files/frf.svg", "mine");
-  EXPECT_THROW(write({{}, false}), InputError);
-  EXPECT_THROW(write({{path("r-files/frf.svg")}, true}), InputError);
-  EXPECT_EQ(size_of("r-files/frf.svg"), 4U);
-  EXPECT_FALSE(std::filesystem::exists(path("r.md")));
-  write({{}, true});
-  EXPECT_GT(size_of("r-files/frf.svg"), 4U);
-  EXPECT_GT(size_of("r.md"), 4U);
-}
-
-// An INCLUDE that is not there yet, for example.
-TEST_F(WrittenReport, PutsNoPictureAtAnInputsPlace) {
-  EXPECT_THROW(write({{path("r-files/error-after.svg")}, true}), InputError);
-  EXPECT_TRUE(std::filesystem::is_empty(path("r-files")));
-  EXPECT_FALSE(std::filesystem::exists(path("r.md")));
-}
-
-// A name that has no room for the ending of what is not finished: the report
-// cannot be written, its pictures could.
-TEST_F(WrittenReport, LeavesNoPictureWithoutItsText) {
-  const std::string stem(245, 'x');
-  const std::filesystem::path pictures = path(stem + "-files");
-  std::filesystem::create_directory(pictures);
-  EXPECT_THROW(
-      write_report(
-          report_document(data_of_two_effects()), path(stem + ".md"), {}),
-      InputError);
-  EXPECT_TRUE(std::filesystem::is_empty(pictures));
 }
 
 TEST(ReportDocument, ShowsASignatureWhereOneGridExplainsMost) {
