@@ -2,6 +2,7 @@
 
 #include "updating/places/crack_line.hpp"
 #include "updating/places/joint_line.hpp"
+#include "updating/structure/deck/constraint_axes.hpp"
 
 #include <Eigen/Geometry>
 
@@ -81,9 +82,12 @@ Cut hub_let_go(const Deck& deck, const std::vector<SupportPart>& parts) {
       for (const structure::RigidElement& e : deck.rigids) {
         if (e.independent != dof.node) continue;
         for (const structure::Dependent& d : e.dependents) {
-          const Vector3d r = deck.grid(d.grid).position - hub;
+          const structure::Grid& grid = deck.grid(d.grid);
+          const auto along = structure::along_basic(d.components, grid.axes);
           moves.moves.emplace_back(d.grid,
-                                   follows(r, dof.component, d.components));
+                                   follows(grid.position - hub,
+                                           dof.component,
+                                           along.value_or(d.components)));
         }
       }
       cut.partings.push_back(std::move(moves));
