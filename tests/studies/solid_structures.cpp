@@ -157,6 +157,43 @@ SolidPlate ladder() {
   return plate;
 }
 
+// A mast with a head across it, nowhere near its middle.
+SolidPlate tee() {
+  SolidPlate plate = frame(
+      "tee", {12, 16}, 0.02, [](int i, int j) { return i == 4 || j == 15; });
+  plate.thickness = 0.010;
+  plate.E = 205e9;
+  plate.nu = 0.3;
+  plate.density = 7850.0;
+  plate.band_hz = {10.0, 1500.0};
+  return plate;
+}
+
+// A quarter of a ring, free.
+SolidPlate sector() {
+  SolidPlate plate{"sector", 16, 8, 0.02, 0.006};
+  plate.middle = [](double u, double v) {
+    const double angle = 1.2 * u;
+    const double r = 0.16 + 0.14 * v;
+    return Vector3d(r * std::cos(angle), r * std::sin(angle), 0.0);
+  };
+  plate.is_held = [](int, int) { return false; };
+  plate.band_hz = {80.0, 1600.0};
+  return plate;
+}
+
+// A plate with two ribs as high above as below, held at a short side.
+SolidPlate ribbed() {
+  SolidPlate plate{"ribbed", 16, 9, 0.02, 0.004};
+  plate.middle = [](double u, double v) {
+    return Vector3d(0.32 * u, 0.18 * v, 0.0);
+  };
+  plate.thicker = [](int, int j) { return j == 2 || j == 6 ? 2.2 : 1.0; };
+  plate.is_held = [](int i, int) { return i == 0; };
+  plate.band_hz = {20.0, 1200.0};
+  return plate;
+}
+
 }  // namespace
 
 std::vector<SolidPlate> solid_structures() {
@@ -170,7 +207,10 @@ std::vector<SolidPlate> solid_structures() {
           channel(),
           portal(),
           arm(),
-          ladder()};
+          ladder(),
+          tee(),
+          sector(),
+          ribbed()};
 }
 
 }  // namespace tapfit::updating::testing
