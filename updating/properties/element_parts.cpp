@@ -43,7 +43,7 @@ Deck of_thickness(Deck cards) {
   }
   for (auto& [id, p] : cards.bar_properties) {
     const auto [first, second] = structure::bends_across(p);
-    p.J *= nothing;
+    p.J *= std::max(structure::twist_by_thickness(p), nothing);
     p.I12 = 0.0;
     if (first) p.I1 *= nothing;
     if (second) p.I2 *= nothing;

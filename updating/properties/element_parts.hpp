@@ -3,12 +3,13 @@
 // for, and kept: hypotheses about the same elements are many.
 //
 // An element that is thinned to t / t_0 = c keeps c^3 of what bends it across
-// its thickness or twists it, and c of the rest:
+// its thickness and, if it is flat, of what twists it, and c of the rest:
 //
 //   K(c) = K + (c^3 - 1) (K - K_t) + (c - 1) K_t,   M(c) = c M
 //
-// K_t: a shell's membrane; a bar's axial stiffness, and its bending in the
-// plane in which it is stiffer. A laminate or a solid has none.
+// K_t: a shell's membrane; a bar's axial stiffness, its bending in the plane in
+// which it is stiffer, and a share of its twist (bar_thickness.hpp). A laminate
+// or a solid has none.
 #pragma once
 
 #include "updating/properties/uncertain_parts.hpp"

@@ -2,6 +2,7 @@
 #include "tests/updating/support/deck_support.hpp"
 #include "updating/places/location.hpp"
 #include "updating/reduction/reduced_base.hpp"
+#include "updating/structure/deck/bar_thickness.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -43,6 +44,7 @@ TEST(PocketBase, HasTheModesOfAThinnerBar) {
   change.of.where.elements = {3, 4};
   change.of.where.variant = pocket;
   const ReducedBase base = builder.build({}, {change});
+  const double twist = structure::twist_by_thickness(deck.bar_properties.at(1));
   for (const double c : {1.0, 0.9, 0.6}) {
     structure::Deck thin = deck;
     structure::BarProperty& own = thin.bar_properties[2] =
@@ -50,7 +52,7 @@ TEST(PocketBase, HasTheModesOfAThinnerBar) {
     own.area *= c;
     own.I1 *= c * c * c;
     own.I2 *= c;
-    own.J *= c * c * c;
+    own.J *= c * c * c + twist * (c - c * c * c);
     for (structure::Bar& bar : thin.bars) {
       if (bar.id == 3 || bar.id == 4) bar.property = 2;
     }

@@ -12,4 +12,9 @@ std::array<bool, 2> bends_across(const BarProperty& property) {
   return {I1 < I2, I2 < I1};
 }
 
+double twist_by_thickness(const BarProperty& property) {
+  const double sum = property.I1 + property.I2;
+  return sum > 0.0 ? std::min(property.I1, property.I2) / sum : 0.0;
+}
+
 }  // namespace tapfit::structure

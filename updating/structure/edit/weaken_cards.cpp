@@ -70,29 +70,25 @@ std::string& field(Card& card, std::size_t at) {
   return card.fields[at];
 }
 
-// Fields of a property's card that go with the thickness, and with its cube;
-// none of a card that is not written thinner.
-struct ThicknessFields {
-  std::vector<std::size_t> plain;
-  std::vector<std::size_t> cube;
-};
-
-ThicknessFields thickness_fields(const Deck& deck, int property) {
+// Fields of a property's card that are less where it is thinner, each with its
+// share that goes with the thickness itself; the rest goes with its cube. None
+// of a card that is not written thinner.
+std::map<std::size_t, double> thickness_fields(const Deck& deck, int property) {
   const auto shell = deck.shell_properties.find(property);
   if (shell != deck.shell_properties.end()) {
     const ShellProperty& p = shell->second;
     if (!p.plies.empty() || p.panel) return {};
-    return {{3}, {}};
+    return {{3, 1.0}};
   }
   const auto bar = deck.bar_properties.find(property);
   const bool is_pbar = bar != deck.bar_properties.end() &&
                        bar->second.where.find(" PBAR ") != std::string::npos;
   if (!is_pbar) return {};
   const auto [first, second] = bends_across(bar->second);
-  ThicknessFields fields{{3}, {6}};
-  (first ? fields.cube : fields.plain).push_back(4);
-  (second ? fields.cube : fields.plain).push_back(5);
-  return fields;
+  return {{3, 1.0},
+          {4, first ? 0.0 : 1.0},
+          {5, second ? 0.0 : 1.0},
+          {6, twist_by_thickness(bar->second)}};
 }
 
 std::set<int> materials_of(const Deck& deck, int property) {
@@ -154,10 +150,11 @@ void WeakenCards::place(const Deck& deck, const WeakElements& weak) {
   for (const auto& [property, elements] : by_property) {
     Copy copy;
     copy.id = next_property_++;
-    const auto [plain, cube] = thickness_fields(deck, property);
-    if (weak.thickness < 1.0 && !plain.empty()) {
-      for (const std::size_t at : plain) copy.scales[at] = weak.thickness;
-      for (const std::size_t at : cube) copy.scales[at] = weak.factor;
+    const auto thinner = thickness_fields(deck, property);
+    if (weak.thickness < 1.0 && !thinner.empty()) {
+      for (const auto& [at, share] : thinner) {
+        copy.scales[at] = weak.factor + share * (weak.thickness - weak.factor);
+      }
     } else {
       copy.materials = copied_materials(materials_of(deck, property), weak);
     }

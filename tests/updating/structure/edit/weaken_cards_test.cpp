@@ -64,7 +64,8 @@ TEST(WeakenCards, MakesThinnedElementsThinner) {
   bar.area *= left;
   bar.I1 *= cube;
   bar.I2 *= left;
-  bar.J *= cube;
+  // A sixth of it, 2 / (2 + 10), goes with the thickness itself.
+  bar.J *= 5.0 / 6.0 * cube + left / 6.0;
   Material& soft = thin.materials[94] = deck.materials.at(1);
   soft.E *= cube;
   soft.G *= cube;
