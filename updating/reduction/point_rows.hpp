@@ -2,6 +2,10 @@
 // for: a base is turned often, and few of its rows are ever looked at.
 //
 //   rows = [shared, own] Q
+//
+// Columns of its own are orthonormal in the mass matrix to the shared ones, and
+// are kept in single precision: as many bases as hypotheses are fitted have
+// them, and FRFs through a base are good to 1e-6 at best.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +23,8 @@ class PointRows {
   /// The columns themselves, which those made by with() share.
   explicit PointRows(Eigen::MatrixXd columns);
 
-  /// The same with further columns behind.
-  [[nodiscard]] PointRows with(Eigen::MatrixXd columns) const;
+  /// The same with further columns behind, which are rounded.
+  [[nodiscard]] PointRows with(const Eigen::MatrixXd& columns) const;
   /// In other coordinates of the same span, or of a part of it: rows Q.
   void turn(const Eigen::MatrixXd& Q);
   /// Makes those of degrees of freedom that do not move in this span, which
@@ -37,7 +41,7 @@ class PointRows {
 
  private:
   std::shared_ptr<const Eigen::MatrixXd> shared_;
-  std::shared_ptr<const Eigen::MatrixXd> own_;  // as many rows
+  std::shared_ptr<const Eigen::MatrixXf> own_;  // as many rows
   Eigen::MatrixXd Q_;                           // columns of both x r
   std::vector<Eigen::Index> at_rest_;           // ascending
 };

@@ -2,31 +2,46 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace tapfit::updating {
 namespace {
 
 using Eigen::MatrixXd;
 
 TEST(PointRows, AreTheColumnsInOtherCoordinates) {
-  const MatrixXd shared = MatrixXd::Random(12, 3);
-  const MatrixXd own = MatrixXd::Random(12, 2);
+  // Over more rows than are worked out at a time.
+  const MatrixXd shared = MatrixXd::Random(1200, 3);
+  const MatrixXd own = MatrixXd::Random(1200, 2).cast<float>().cast<double>();
   const MatrixXd first = MatrixXd::Random(3, 3);
   const MatrixXd second = MatrixXd::Random(5, 4);
   PointRows rows(shared);
   rows.turn(first);
   PointRows wider = rows.with(own);
   wider.turn(second);
-  MatrixXd both(12, 5);
+  MatrixXd both(1200, 5);
   both << shared * first, own;
   const MatrixXd expected = both * second;
-  EXPECT_EQ(wider.rows(), 12);
+  EXPECT_EQ(wider.rows(), 1200);
   EXPECT_EQ(wider.cols(), 4);
-  EXPECT_LT((wider.all() - expected).norm(), 1e-13);
-  EXPECT_LT((wider.row(7) - expected.row(7)).norm(), 1e-13);
+  EXPECT_LT((wider.all() - expected).norm(), 1e-12);
+  EXPECT_LT((wider.row(700) - expected.row(700)).norm(), 1e-13);
+  EXPECT_LT((wider.rows_of_grid(150) - expected.middleRows(900, 6)).norm(),
+            1e-13);
   const MatrixXd X = MatrixXd::Random(4, 6);
-  EXPECT_LT((wider * X - expected * X).norm(), 1e-13);
+  EXPECT_LT((wider * X - expected * X).norm(), 1e-12);
   // What was made wider is as it was.
-  EXPECT_LT((rows.all() - shared * first).norm(), 1e-13);
+  EXPECT_LT((rows.all() - shared * first).norm(), 1e-12);
+}
+
+// Half a unit in the last of 24 bits.
+TEST(PointRows, RoundsColumnsThatAreItsOwn) {
+  const MatrixXd own = MatrixXd::Random(12, 2);
+  const PointRows rows = PointRows(MatrixXd(12, 0)).with(own);
+  const double largest =
+      ((rows.all() - own).array() / own.array()).abs().maxCoeff();
+  EXPECT_LE(largest, std::ldexp(1.0, -24));
+  EXPECT_GT(largest, 0.0);
 }
 
 TEST(PointRows, OfWhatIsAtRestAreZero) {
