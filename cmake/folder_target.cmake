@@ -12,8 +12,8 @@ function(group_sources)
     string(REGEX REPLACE "^[0-7].*" "a" part ${part})
     string(REGEX REPLACE "^[89abcdef]...*" "b" part ${part})
     set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${part})
-    # They name what their neighbours name otherwise.
-    set(alone decompositions products wing_study paper_wing virtual_portal undersampled_pulses_test
+    # They name what their neighbours name otherwise, or are compiled otherwise.
+    set(alone saved_session saved_effect saved_fields decompositions products wing_study paper_wing virtual_portal undersampled_pulses_test
       replay_test turned_axes_test plate_modes_test reduced_normal_test
       run_consistency_test effect_stack_test
       mesh_shift_test ringing_modes_test)

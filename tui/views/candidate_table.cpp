@@ -148,7 +148,8 @@ std::vector<updating::EffectRef> tagged_of(
     const std::vector<updating::EffectRef>& tagged) {
   std::vector<updating::EffectRef> found;
   for (const Candidate& c : d.candidates) {
-    if (is_in(tagged, c)) found.push_back({c.effect, c.where});
+    if (is_in(tagged, c))
+      found.push_back({c.effect, c.where, c.place_sd, c.sizes});
   }
   return found;
 }

@@ -37,7 +37,7 @@ void add_verdict(const updating::Diagnosis& d, Command& command) {
   for (const updating::Rung& rung : d.ladder) {
     const std::string kind = updating::leading_kind(rung);
     if (kind == updating::nonlinearity) continue;
-    command.effects.push_back({kind, rung.where});
+    command.effects.push_back({kind, rung.where, rung.place_sd, rung.sizes});
   }
   if (command.effects.empty()) {
     command.message = "the verdict adds nothing to the model";
@@ -46,7 +46,9 @@ void add_verdict(const updating::Diagnosis& d, Command& command) {
   }
 }
 
-EffectRef ref_of(const Candidate& c) { return {c.effect, c.where}; }
+EffectRef ref_of(const Candidate& c) {
+  return {c.effect, c.where, c.place_sd, c.sizes};
+}
 
 /// A word of caution where one of these can't be told from the candidate.
 std::string look_alike_among(const std::vector<EffectRef>& tagged,
@@ -129,7 +131,7 @@ void DiagnosePage::press_tag(const updating::Diagnosis& d,
                              Command& command) {
   if (d.candidates.empty()) return;
   const Candidate& c = d.candidates[settled(table, state_.list)];
-  const EffectRef ref{c.effect, c.where};
+  const EffectRef ref = ref_of(c);
   if (std::erase(state_.tagged, ref) == 0) {
     command.message = look_alike_among(tagged_of(d, state_.tagged), c);
     state_.tagged.push_back(ref);
@@ -144,7 +146,7 @@ void DiagnosePage::add_chosen(const updating::Diagnosis& d,
   if (command.effects.empty()) {
     if (d.candidates.empty()) return;
     const Candidate& c = d.candidates[settled(table, state_.list)];
-    command.effects = {{c.effect, c.where}};
+    command.effects = {ref_of(c)};
   }
   command.kind = Command::Kind::Add;
 }

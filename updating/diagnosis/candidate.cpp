@@ -11,6 +11,8 @@ Candidate candidate_of(const Fit& fit, const effects::TestContext& context) {
   Candidate c;
   c.effect = own.effect->name();
   c.where = own.where;
+  c.sizes = own.p;
+  c.place_sd = fit.result.state.effects.back().place_sd;
   c.parameters = effect_estimates(fit, fit.effects.size() - 1, context);
   c.error = fit.result.error;
   return c;

@@ -35,6 +35,8 @@ struct Candidate {
   double error = 0.0;           ///< after adding it, all refitted
   double held_out_error = 0.0;  ///< on runs it was not fitted to
   std::vector<EffectRef> indistinguishable_from;
+  std::vector<double> place_sd = {};  ///< see EffectRef; the parameters hold it
+  std::vector<double> sizes = {};     ///< of the fit that the error is of
 };
 
 /// What the sheet or the deck says wrongly.

@@ -12,7 +12,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Location, node, nodes, elements, channels, variant, at, runs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     Estimate, name, value, sd, lo95, hi95, unit, at_bound)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EffectRef, effect, where)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EffectRef, effect, where, place_sd, start)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NextMeasurement,
                                    one,
                                    other,
@@ -31,9 +31,19 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Candidate,
                                    probability,
                                    error,
                                    held_out_error,
-                                   indistinguishable_from)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
-    Rung, added, where, error, parameters, probability, alike, stopped_after)
+                                   indistinguishable_from,
+                                   place_sd,
+                                   sizes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rung,
+                                   added,
+                                   where,
+                                   error,
+                                   parameters,
+                                   probability,
+                                   alike,
+                                   stopped_after,
+                                   place_sd,
+                                   sizes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(
     MadeFit, effects, sizes, factor, zeta, zeta_other, places, kind_share)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Rivals, found, instead, besides)

@@ -3,32 +3,12 @@
 #include "updating/fit/estimates.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace tapfit::updating {
 
-namespace {
-
-// By what is not known of the place. Intervals are those of logarithms.
-void widen(const std::vector<double>& place_sd,
-           std::vector<Estimate>& parameters) {
-  constexpr double in_95 = 1.96;  // standard deviations
-  const std::size_t count = std::min(place_sd.size(), parameters.size());
-  for (std::size_t k = 0; k < count; ++k) {
-    Estimate& e = parameters[k];
-    if (!(e.value > 0.0) || !(e.lo95 > 0.0)) continue;
-    const double own = in_95 * place_sd[k];
-    e.lo95 = e.value / std::exp(std::hypot(std::log(e.value / e.lo95), own));
-    e.hi95 = e.value * std::exp(std::hypot(std::log(e.hi95 / e.value), own));
-    e.sd = std::hypot(e.sd, e.value * place_sd[k]);
-  }
-}
-
-}  // namespace
-
-std::vector<Rung> ladder_of(const Fit& fit,
+std::vector<Rung> ladder_of(Fit fit,
                             const std::vector<SelectedEffect>& all,
                             std::size_t already,
                             const Fitter& fitter,
@@ -62,11 +42,13 @@ std::vector<Rung> ladder_of(const Fit& fit,
     rung.alike = all[next - already].alike;
     rung.where = fit.effects[next].where;
     rung.error = least;
+    rung.place_sd = all[next - already].place_sd;
+    rung.sizes = fit.effects[next].p;
+    fit.result.state.effects[next].place_sd = rung.place_sd;
     rung.parameters = effect_estimates(fit, next, context);
     if (const auto& extent = all[next - already].extent) {
       widen(*extent, rung.parameters.front());
     }
-    widen(all[next - already].place_sd, rung.parameters);
     ladder.push_back(std::move(rung));
     so_far.push_back(fit.effects[next]);
     left.erase(std::find(left.begin(), left.end(), next));
@@ -95,6 +77,8 @@ void lead_with_ladder(std::vector<Candidate>& candidates,
     lead.where = rung.where;
     lead.indistinguishable_from = rung.alike;
     lead.parameters = rung.parameters;
+    lead.place_sd = rung.place_sd;
+    lead.sizes = rung.sizes;
     lead.error = error;
     lead.held_out_error = held_out_error;
     candidates.insert(candidates.begin(), lead);

@@ -20,7 +20,7 @@ namespace tapfit::updating {
 /// @param already effects of the fit that were in the model before
 /// @throws Stopped where the progress says so
 [[nodiscard]] std::vector<Rung> ladder_of(
-    const Fit& fit,
+    Fit fit,
     const std::vector<SelectedEffect>& all,
     std::size_t already,
     const Fitter& fitter,

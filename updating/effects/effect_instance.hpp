@@ -12,6 +12,7 @@ struct EffectInstance {
   const effects::Effect* effect = nullptr;
   Location where;
   std::vector<double> p;
+  std::vector<double> place_sd = {};  ///< see EffectRef
 
   /// What it gives a mode of unit mass, for Entry::Damping.
   [[nodiscard]] effects::ModeDamping mode_damping(double omega) const;

@@ -39,6 +39,11 @@ void turn_sign(Estimate& e) {
   e.lo95 = low;
 }
 
+// What is not known of an effect's place counts as independent of all else.
+double place_sd(const EffectInstance& placed, std::size_t k) {
+  return k < placed.place_sd.size() ? placed.place_sd[k] : 0.0;
+}
+
 // A sum of parameters is a logarithm's exponential too, to first order.
 Estimate sum_of(const effects::Effect::Derived& derived,
                 const EffectInstance& placed,
@@ -52,8 +57,13 @@ Estimate sum_of(const effects::Effect::Derived& derived,
   const Eigen::VectorXd share = factors.cwiseProduct(p) / value;
   const Eigen::MatrixXd& all = fit.result.covariance;
   const auto at = static_cast<Eigen::Index>(first);
-  const double variance =
+  double variance =
       at + n <= all.rows() ? share.dot(all.block(at, at, n, n) * share) : 0.0;
+  double with_place = 0.0;  // all sizes change with it together
+  for (Eigen::Index k = 0; k < n; ++k) {
+    with_place += share(k) * place_sd(placed, static_cast<std::size_t>(k));
+  }
+  variance += with_place * with_place;
   Estimate sum = from_log(derived.name, value, variance);
   double lower = 0.0;
   double upper = 0.0;
@@ -101,8 +111,9 @@ std::vector<Estimate> effect_estimates(const Fit& fit,
     result.push_back({name, value, 0.0, value, value});
   }
   for (std::size_t k = 0; k < specs.size(); ++k) {
-    result.push_back(
-        from_log(specs[k].name, placed.p[k], variance_at(fit, at + k)));
+    const double own = place_sd(placed, k);
+    result.push_back(from_log(
+        specs[k].name, placed.p[k], variance_at(fit, at + k) + own * own));
     within_bounds(result.back(), specs[k].lower, specs[k].upper);
     if (specs[k].sign < 0.0) turn_sign(result.back());
   }

@@ -24,7 +24,7 @@ struct PropertyName {
                                    std::size_t own);
 
 /// Parameters of the fit's effect at a position, with derived ones (a total
-/// from a value per metre).
+/// from a value per metre), as unsure as the fit and the effect's place are.
 [[nodiscard]] std::vector<Estimate> effect_estimates(
     const Fit& fit, std::size_t effect, const effects::TestContext& context);
 

@@ -22,6 +22,8 @@ struct Rung {
   double probability = 1.0;  ///< among all tried with the same other effects
   std::vector<EffectRef> alike = {};  ///< what explains the data as well
   int stopped_after = 0;  ///< steps, where its fit was ended by hand, else 0
+  std::vector<double> place_sd = {};  ///< see EffectRef; the parameters hold it
+  std::vector<double> sizes = {};     ///< of the fit with all rungs
 };
 
 /// The most probable kind of a rung that may name a group: "a" of "a|b".

@@ -16,9 +16,7 @@ struct Hypothesis {
   double places = 1.0;  ///< how many places its kind was searched at
   double log_evidence = 0.0;
   double log_gain = 0.0;  ///< over leaving it out
-  /// Of the logarithms of its own parameters, for not knowing its place better;
-  /// empty where it was not looked at.
-  std::vector<double> place_sd = {};
+  std::vector<double> place_sd = {};  ///< of its own effect, see EffectRef
 
   [[nodiscard]] const EffectInstance& own() const { return fit.effects.back(); }
 };

@@ -8,7 +8,7 @@ void add_ladder(Session& session,
   session.fit_uncertain(progress);
   for (const auto& rung : diagnosis.ladder) {
     const std::string effect = rung.added.substr(0, rung.added.find('|'));
-    session.add({effect, rung.where}, progress);
+    session.add({effect, rung.where, rung.place_sd, rung.sizes}, progress);
   }
 }
 

@@ -38,6 +38,14 @@ Fit judged(Fit fit, const Fit& before) {
   return fit;
 }
 
+/// Where its fits start: as it was found, or as its kind does.
+EffectInstance started(const EffectRef& ref, const StackFit& how) {
+  EffectInstance effect = place_effect(ref, how.context);
+  effect.place_sd = ref.place_sd;
+  if (ref.start.size() == effect.p.size()) effect.p = ref.start;
+  return effect;
+}
+
 std::vector<EffectRef> refs_of(const std::vector<EffectInstance>& effects) {
   std::vector<EffectRef> refs;
   for (const EffectInstance& e : effects) {
@@ -81,7 +89,7 @@ bool leads_to(const EarlyStoppedFit& fit,
 /// The effect with the whole place it acts at.
 EffectRef whole_of(const EffectRef& effect, const StackFit& how) {
   const EffectInstance placed = place_effect(effect, how.context);
-  return {placed.effect->name(), placed.where};
+  return {placed.effect->name(), placed.where, effect.place_sd, effect.start};
 }
 
 /// @throws InputError where it is among those that are there already
@@ -193,11 +201,10 @@ void EffectStack::fit_uncertain(const StackFit& how, const Progress& progress) {
 }
 
 // Fits that stay true are kept: up to the first effect that differs.
-std::vector<Fit> EffectStack::fits_for(
-    const std::vector<EffectInstance>& wanted,
-    std::vector<EarlyStoppedFit>& kept,
-    const StackFit& how,
-    const Progress& progress) const {
+std::vector<Fit> EffectStack::fits_for(const std::vector<EffectRef>& wanted,
+                                       std::vector<EarlyStoppedFit>& kept,
+                                       const StackFit& how,
+                                       const Progress& progress) const {
   std::vector<Fit> fits = {fits_.front()};
   if (wanted.empty()) return fits;
   // What is uncertain, then the effects.
@@ -217,15 +224,19 @@ std::vector<Fit> EffectStack::fits_for(
   std::vector<EffectInstance> so_far;
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const std::size_t at = first_effect + k;
+    const EffectInstance next = started(wanted[k], how);
     same = same && at < fits_.size() && fits_[at].effects.size() == k + 1 &&
-           same_place(fits_[at].effects[k], wanted[k]);
+           same_place(fits_[at].effects[k], next);
     if (same) {
       fits.push_back(fits_[at]);
     } else {
-      so_far.push_back(wanted[k]);
+      so_far.push_back(next);
       fits.push_back(fit_of(so_far, fits.back(), kept, how, part(k + 1)));
     }
     so_far = fits.back().effects;
+    for (std::size_t j = 0; j <= k; ++j) {
+      if (!wanted[j].start.empty()) so_far[j] = started(wanted[j], how);
+    }
   }
   return fits;
 }
@@ -234,10 +245,9 @@ void EffectStack::change_to(const Effects& effects,
                             std::vector<EarlyStoppedFit> kept,
                             const StackFit& how,
                             const Progress& progress) {
-  std::vector<EffectInstance> on;
+  std::vector<EffectRef> on;
   for (const AddedEffect& added : effects) {
-    if (!added.on) continue;
-    on.push_back(place_effect(added.ref, how.context));
+    if (added.on) on.push_back(added.ref);
   }
   fits_ = fits_for(on, kept, how, progress);
   history_.now = effects;

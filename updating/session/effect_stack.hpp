@@ -91,11 +91,10 @@ class EffectStack {
                  std::vector<EarlyStoppedFit> kept,
                  const StackFit& how,
                  const Progress& progress);
-  [[nodiscard]] std::vector<Fit> fits_for(
-      const std::vector<EffectInstance>& wanted,
-      std::vector<EarlyStoppedFit>& kept,
-      const StackFit& how,
-      const Progress& progress) const;
+  [[nodiscard]] std::vector<Fit> fits_for(const std::vector<EffectRef>& wanted,
+                                          std::vector<EarlyStoppedFit>& kept,
+                                          const StackFit& how,
+                                          const Progress& progress) const;
   /// Kept fits that an undo can lead to, or that are in the model.
   [[nodiscard]] std::vector<EarlyStoppedFit> still_kept() const;
 

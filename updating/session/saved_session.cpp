@@ -1,110 +1,27 @@
-// Its exceptions then say where in the file.
-#define JSON_DIAGNOSTICS 1
-
 #include "updating/session/saved_session.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/output_file.hpp"
 #include "updating/session/added_effect.hpp"
+#include "updating/session/saved_effect.hpp"
+#include "updating/session/saved_fields.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <fstream>
-#include <initializer_list>
 #include <iterator>
-#include <limits>
 
 namespace tapfit::updating {
 namespace {
 
 namespace fs = std::filesystem;
 using json = nlohmann::ordered_json;
+using namespace saved;
 
 constexpr int version = 1;
-
-// Counted from 1 in the file, from 0 here.
-int index_from(const json& value, const char* counted) {
-  if (value.is_number_integer()) {
-    const auto number = value.get<long long>();
-    constexpr int most = std::numeric_limits<int>::max();
-    if (number >= 1 && number <= most) return static_cast<int>(number - 1);
-  }
-  throw std::out_of_range(
-      fmt::format("{} are counted from 1, in whole numbers", counted));
-}
-
-// What is written by hand and misspelt must not be lost without a word.
-void check_fields(const json& value,
-                  const char* what,
-                  std::initializer_list<const char*> known) {
-  if (!value.is_object()) {
-    throw std::out_of_range(fmt::format("{} is not in braces", what));
-  }
-  for (const auto& [name, ignored] : value.items()) {
-    const bool is_known = std::ranges::any_of(
-        known, [&name = name](const char* field) { return name == field; });
-    if (!is_known) {
-      throw std::out_of_range(fmt::format("{} has no field \"{}\", only {}",
-                                          what,
-                                          name,
-                                          fmt::join(known, ", ")));
-    }
-  }
-}
-
-// The list of that name; empty where it is not there.
-const json& list_in(const json& value, const char* name) {
-  static const json none = json::array();
-  if (!value.contains(name)) return none;
-  const json& list = value.at(name);
-  if (list.is_array()) return list;
-  throw std::out_of_range(fmt::format("\"{}\" is no list in brackets", name));
-}
-
-json to_json(const Location& where) {
-  json result = json::object();
-  if (where.node != 0) result["node"] = where.node;
-  if (!where.nodes.empty()) result["nodes"] = where.nodes;
-  if (!where.elements.empty()) result["elements"] = where.elements;
-  if (!where.channels.empty()) result["channels"] = where.channels;
-  if (!where.variant.empty()) result["variant"] = where.variant;
-  if (!where.at.empty()) result["at"] = where.at;
-  if (!where.runs.empty()) result["runs"] = where.runs;
-  return result;
-}
-
-Location where_in(const json& value) {
-  Location where;
-  where.node = value.value("node", 0);
-  where.nodes = value.value("nodes", std::vector<int>{});
-  where.elements = value.value("elements", std::vector<int>{});
-  where.channels = value.value("channels", std::vector<std::string>{});
-  where.variant = value.value("variant", "");
-  where.at = value.value("at", std::vector<double>{});
-  where.runs = value.value("runs", std::vector<int>{});
-  if (!where.at.empty() && where.at.size() != 3) {
-    throw std::out_of_range("\"at\" takes three coordinates");
-  }
-  return where;
-}
-
-Location where_from(const json& value) {
-  check_fields(
-      value,
-      "\"where\"",
-      {"node", "nodes", "elements", "channels", "variant", "at", "runs"});
-  return where_in(value);
-}
-
-json flat(const EffectRef& ref) {
-  json result{{"effect", ref.effect}};
-  result.update(to_json(ref.where));
-  return result;
-}
 
 json to_json(const EffectChange& change) {
   if (change.switched) return {{"switched", *change.switched + 1}};
@@ -112,20 +29,6 @@ json to_json(const EffectChange& change) {
   json together = json::array();
   for (const EffectRef& ref : change.added) together.push_back(flat(ref));
   return {{"together", together}};
-}
-
-EffectRef ref_from(const json& value) {
-  check_fields(value,
-               "an effect of a change",
-               {"effect",
-                "node",
-                "nodes",
-                "elements",
-                "channels",
-                "variant",
-                "at",
-                "runs"});
-  return {value.at("effect"), where_in(value)};
 }
 
 EffectChange change_from(const json& value) {
@@ -140,7 +43,9 @@ EffectChange change_from(const json& value) {
                 "channels",
                 "variant",
                 "at",
-                "runs"});
+                "runs",
+                "place_sd",
+                "start"});
   if (!value.contains("switched")) {
     EffectChange change;
     for (const json& one : list_in(value, "together")) {
@@ -157,7 +62,7 @@ json to_json(const EarlyStoppedFit& fit) {
   json effects = json::array();
   for (const EffectRef& effect : fit.effects) {
     effects.push_back(
-        {{"effect", effect.effect}, {"where", to_json(effect.where)}});
+        {{"effect", effect.effect}, {"where", place_json(effect.where)}});
   }
   return {{"effects", effects}, {"steps", fit.steps}};
 }
@@ -190,7 +95,7 @@ json to_json(const SavedRung& saved) {
                      {"mac", pair.has_shape ? json(pair.mac) : json()}});
   }
   return {{"added", saved.rung.added},
-          {"where", to_json(saved.rung.where)},
+          {"where", place_json(saved.rung.where)},
           {"error", saved.rung.error},
           {"parameters", parameters},
           {"modes", modes}};
@@ -312,10 +217,11 @@ SavedSession session_from(const json& value) {
   session.restored = hits_from(list_in(value, "restored_hits"));
   session.modes = choices_from(value.value("modes", json::object()));
   for (const json& effect : list_in(value, "effects")) {
-    check_fields(effect, "an effect", {"effect", "where", "on", "together"});
+    check_fields(effect,
+                 "an effect",
+                 {"effect", "where", "place_sd", "start", "on", "together"});
     session.effects.push_back(
-        {{effect.at("effect"),
-          where_from(effect.value("where", json::object()))},
+        {found_in(effect, where_from(effect.value("where", json::object()))),
          effect.value("on", true),
          effect.value("together", false)});
   }
@@ -352,8 +258,9 @@ std::string as_text(const SavedSession& session) {
              {"ladder", json::array()}};
   for (const AddedEffect& added : session.effects) {
     json one{{"effect", added.ref.effect},
-             {"where", to_json(added.ref.where)},
+             {"where", place_json(added.ref.where)},
              {"on", added.on}};
+    add_found(added.ref, one);
     if (added.together) one["together"] = true;
     value["effects"].push_back(std::move(one));
   }

@@ -3,12 +3,14 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/updating/support/sample_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
+#include "updating/fit/estimates.hpp"
 #include "updating/fit/fit_observer.hpp"
 #include "updating/measurement/damped_line.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -89,6 +91,27 @@ TEST_F(EffectStackTest, SwitchingOffIsAsIfItHadNeverBeenAdded) {
 
   stack_->toggle(0, how(), none_);
   EXPECT_LT(error(), 1e-4);
+}
+
+// In squares of the logarithm's deviation, through every change.
+TEST_F(EffectStackTest, SaysAsUnsureASizeAsItsPlaceIs) {
+  const auto sd_of_last = [this] {
+    const std::size_t last = stack_->fits().back().effects.size() - 1;
+    const Estimate e = effect_estimates(
+        stack_->fits().back(), last, fitter_->problem().context)[0];
+    return e.sd / e.value;
+  };
+  stack_->add(mass_at(53), how(), none_);
+  stack_->add(mass_at(9), how(), none_);
+  const double placed = sd_of_last();
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  EffectRef unsure = mass_at(9);
+  unsure.place_sd = {0.2};
+  stack_->add(unsure, how(), none_);
+  EXPECT_NEAR(sd_of_last(), std::hypot(placed, 0.2), 1e-9);
+  ASSERT_TRUE(stack_->undo(how(), none_));
+  ASSERT_TRUE(stack_->redo(how(), none_));
+  EXPECT_NEAR(sd_of_last(), std::hypot(placed, 0.2), 1e-9);
 }
 
 TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {

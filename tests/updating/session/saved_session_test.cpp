@@ -44,6 +44,8 @@ SavedSession sample() {
   support.where.variant = "rotation";
   EffectRef sensors{"sensor-mass", {}};
   sensors.where.channels = {"acc1", "acc2"};
+  support.place_sd = {0.25};
+  support.start = {1650.0};
   EffectRef loss{"stiffness-loss", {}};
   loss.where.elements = {60, 61};
   using What = modal::PoleEdit::What;
@@ -87,6 +89,8 @@ TEST_F(SavedSessionTest, IsReadAsItWasWritten) {
   EXPECT_EQ(read.modes, session.modes);
   EXPECT_EQ(read.restored, session.restored);
   EXPECT_EQ(read.effects, session.effects);
+  EXPECT_EQ(read.effects.at(0).ref.place_sd, std::vector{0.25});
+  EXPECT_EQ(read.effects.at(0).ref.start, std::vector{1650.0});
   EXPECT_EQ(read.undone, session.undone);
   EXPECT_EQ(read.kept, session.kept);
   // Numbers to the last bit, the text says so.
