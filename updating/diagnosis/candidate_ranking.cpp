@@ -23,9 +23,15 @@ bool predict_alike(const Hypothesis& a, const Hypothesis& b) {
          (ra - rb).norm() <= same * std::min(ra.norm(), rb.norm());
 }
 
+// What the data say of it, its place given: in how many others it was looked
+// for is no datum.
+double told_by_data(const Hypothesis& h) {
+  return h.log_evidence + std::log(std::max(h.places, 1.0));
+}
+
 // A law with more parameters may contain the simpler one.
 bool is_rival(const Hypothesis& other, const Hypothesis& of) {
-  const double apart = std::abs(other.log_evidence - of.log_evidence);
+  const double apart = std::abs(told_by_data(other) - told_by_data(of));
   return apart <= log_odds_told_apart ||
          (other.own().p.size() <= of.own().p.size() &&
           predict_alike(other, of));
@@ -86,9 +92,10 @@ void put_likeliest_kind_first(std::vector<Hypothesis>& all) {
   std::rotate(all.begin(), first, first + 1);
 }
 
-// A kind is as probable as all its places together. A law with more parameters
-// at the same place contains the simpler one and is no rival of it unless its
-// evidence is better.
+// A kind is as probable as all its places together, and not told apart where
+// either that is close or the data at its best place. A law with more
+// parameters at the same place contains the simpler one and is no rival of it
+// unless its evidence is better.
 std::string group_name(const CandidateRanking& round, std::size_t of) {
   struct Kind {
     std::string name;
@@ -106,9 +113,10 @@ std::string group_name(const CandidateRanking& round, std::size_t of) {
     auto it = std::ranges::find(kinds, name, &Kind::name);
     if (it == kinds.end()) it = kinds.insert(kinds.end(), {name});
     it->probability += round.probability[k + 1];
-    it->alike =
-        it->alike || (k != of && h.own().p.size() <= own.own().p.size() &&
-                      predict_alike(h, own));
+    it->alike = it->alike ||
+                told_by_data(h) > told_by_data(own) - log_odds_told_apart ||
+                (k != of && h.own().p.size() <= own.own().p.size() &&
+                 predict_alike(h, own));
   }
   const double least =
       kinds.front().probability * std::exp(-log_odds_told_apart);

@@ -29,8 +29,9 @@ void judge_hypotheses(std::vector<Hypothesis>& all,
                       double data,
                       double noise);
 
-/// Explanations closer than this in log evidence are not told apart: 20 : 1,
-/// where "positive" evidence ends on Kass and Raftery's scale.
+/// Explanations closer than this in log evidence, or in what of it the data say
+/// where each sits best, are not told apart: 20 : 1, where "positive" evidence
+/// ends on Kass and Raftery's scale.
 extern const double log_odds_told_apart;
 
 /// A kind is as probable as all its places together: puts first the likeliest

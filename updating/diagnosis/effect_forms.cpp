@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <initializer_list>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -32,6 +33,15 @@ EffectInstance with_sizes_of(std::initializer_list<const EffectInstance*> parts,
   return whole;
 }
 
+std::set<std::string> channels_of(
+    std::initializer_list<const EffectInstance*> parts) {
+  std::set<std::string> channels;
+  for (const EffectInstance* part : parts) {
+    channels.insert(part->where.channels.begin(), part->where.channels.end());
+  }
+  return channels;
+}
+
 bool is_form(const EffectInstance& own) {
   const std::vector<std::string>& forms = own.effect->forms();
   return std::ranges::find(forms, own.where.variant) != forms.end();
@@ -53,19 +63,35 @@ std::vector<EffectInstance> plain_ones(const EffectInstance& own,
 
 }  // namespace
 
-std::optional<EffectInstance> both_of(const EffectInstance& one,
-                                      const EffectInstance& other,
-                                      const effects::TestContext& context) {
+std::vector<EffectInstance> both_of(const EffectInstance& one,
+                                    const EffectInstance& other,
+                                    const effects::TestContext& context) {
+  if (one.effect != other.effect) return {};
   const effects::Effect& effect = *one.effect;
-  const bool support = effect.changes_stiffness() == ChangeKind::Support &&
-                       one.effect == other.effect &&
-                       one.where.nodes == other.where.nodes;
+  const auto as_whole = [&](const Location& where) {
+    return with_sizes_of(
+        {&one, &other}, placed(effect, where, context), context);
+  };
   Location where = one.where;
   where.variant = "both";
-  if (!support || !effect.takes(where.variant, one.where, context)) {
-    return std::nullopt;
+  if (effect.changes_stiffness() == ChangeKind::Support &&
+      one.where.nodes == other.where.nodes &&
+      effect.takes(where.variant, one.where, context)) {
+    return {as_whole(where)};
   }
-  return with_sizes_of({&one, &other}, placed(effect, where, context), context);
+  const std::set<std::string> channels = channels_of({&one, &other});
+  std::vector<EffectInstance> whole;
+  for (Location place : effect.places(context)) {
+    if (channels.size() < 2 ||
+        std::set(place.channels.begin(), place.channels.end()) != channels) {
+      continue;
+    }
+    whole.push_back(as_whole(place));
+    if (!effect.takes("each", place, context)) continue;
+    place.variant = "each";
+    whole.push_back(as_whole(place));
+  }
+  return whole;
 }
 
 std::optional<Fit> in_plain_form(const Fit& fit,

@@ -1,5 +1,6 @@
-// Forms of an effect that is in the model already: two motions of a support
-// that are one, and a form that turns out to be the plain effect.
+// Forms of an effect that is in the model already: two motions of a support or
+// two sensors' masses that are one effect, and a form that turns out to be the
+// plain one.
 #pragma once
 
 #include "acquisition/foundation/progress.hpp"
@@ -10,9 +11,10 @@
 
 namespace tapfit::updating {
 
-/// Two motions of one support as one effect, with the sizes they have; nothing
-/// where they are no such motions.
-[[nodiscard]] std::optional<EffectInstance> both_of(
+/// Two motions of one support, or the same of some sensors and of others, as
+/// one effect with the sizes they have, the fewest parameters first; empty
+/// where they are no such two.
+[[nodiscard]] std::vector<EffectInstance> both_of(
     const EffectInstance& one,
     const EffectInstance& other,
     const effects::TestContext& context);

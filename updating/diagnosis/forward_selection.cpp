@@ -281,15 +281,15 @@ Fit ForwardSelection::unite(Fit fit,
                             std::vector<SelectedEffect>& chosen,
                             const Progress& progress) const {
   for (std::size_t k = already; k + 1 < fit.effects.size(); ++k) {
-    std::optional<EffectInstance> whole =
-        both_of(fit.effects[k], fit.effects.back(), fitter_->problem().context);
-    if (!whole) continue;
-    std::vector<EffectInstance> effects = without(fit, k);
-    effects.back() = *std::move(whole);
-    Fit united = refit(effects, progress);
-    if (better * united.result.error > fit.result.error) continue;
-    chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
-    return united;
+    for (EffectInstance& whole : both_of(
+             fit.effects[k], fit.effects.back(), fitter_->problem().context)) {
+      std::vector<EffectInstance> effects = without(fit, k);
+      effects.back() = std::move(whole);
+      Fit united = refit(effects, progress);
+      if (better * united.result.error > fit.result.error) continue;
+      chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
+      return united;
+    }
   }
   return fit;
 }

@@ -21,7 +21,7 @@ struct SelectedEffect {
   std::vector<EffectRef> alike = {};  ///< what was not told apart from it
   /// Of a patch that is not the only one.
   std::optional<PatchExtent> extent = {};
-  std::vector<double> place_sd = {};  ///< see Hypothesis
+  std::vector<double> place_sd = {};  ///< see EffectRef
   std::vector<MadeFit> tried = {};    ///< itself first, see Rivals
 };
 
@@ -78,7 +78,8 @@ class ForwardSelection {
                              const Progress& progress) const;
 
   /// A support that turns and shifts, found one after the other, is one effect
-  /// with both; kept where it explains as much.
+  /// with both, as are masses of some sensors and of others; kept where it
+  /// explains as much.
   [[nodiscard]] Fit unite(Fit fit,
                           std::size_t already,
                           std::vector<SelectedEffect>& chosen,

@@ -1,12 +1,14 @@
 #include "updating/diagnosis/stepwise_selection.hpp"
 
 #include "updating/diagnosis/candidate.hpp"
+#include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/made_fit.hpp"
 #include "updating/fit/overall_progress.hpp"
 #include "updating/localisation/run_drift.hpp"
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -22,7 +24,9 @@ std::vector<Candidate> candidates_of(const CandidateRanking& round,
     const std::string kind = h.own().effect->name();
     // A long list of neighbours says nothing new.
     if (++shown[kind] > 3) continue;
-    Candidate c = candidate_of(h.fit, context);
+    Fit fit = h.fit;
+    fit.result.state.effects.back().place_sd = place_sd(round, k);
+    Candidate c = candidate_of(fit, context);
     c.probability = round.probability[k + 1];
     c.indistinguishable_from = indistinguishable(round, k);
     result.push_back(std::move(c));
@@ -119,31 +123,68 @@ bool StepwiseSelection::try_to_add(bool first,
   }
   auto [best, itself, together, next] = choose(round, leader, first, rest);
   const Hypothesis& added = round.hypotheses[best];
-  if (!together.earned() || !is_told(added.fit)) return false;
+  if (!together.earned() || !is_told(added.fit)) {
+    auto moved = with_others_moved(round, rest);
+    if (!moved) return false;
+    without_second_.reset();
+    add(*std::move(moved), round.data, rest);
+    return true;
+  }
   without_second_.reset();  // of one before: a second followed
   if (best != 0 && leader.earned() && is_told(leads)) {
     without_second_ = {leads, leader.with_it, {search_.as_selected(round, 0)}};
   } else if (!itself.earned()) {
     without_second_ = stand_;
   }
-  stand_.passed_over.clear();
-  stand_.chosen.push_back(search_.as_selected(round, best));
+  Stand more{added.fit, 0.0, stand_.chosen};
+  more.chosen.push_back(search_.as_selected(round, best));
   if (best != 0) {
-    stand_.chosen.back().name = added.own().effect->name();
-    stand_.chosen.back().alike.clear();
+    more.chosen.back().name = added.own().effect->name();
+    more.chosen.back().alike.clear();
   }
-  stand_.fit = added.fit;
   next_ = std::move(next);
   if (!first) {
-    stand_.fit =
-        search_.unite(std::move(stand_.fit), already_, stand_.chosen, rest);
-    stand_.fit =
-        search_.relocate(std::move(stand_.fit), already_, stand_.chosen, rest);
-    stand_.fit = search_.prune(
-        std::move(stand_.fit), already_, round.data, stand_.chosen, rest);
+    more.fit = search_.unite(std::move(more.fit), already_, more.chosen, rest);
+    more.fit =
+        search_.relocate(std::move(more.fit), already_, more.chosen, rest);
   }
-  stand_.held_out = fitter_->held_out_error(stand_.fit, held_out_folds, rest);
+  add(std::move(more), round.data, rest);
   return true;
+}
+
+void StepwiseSelection::add(Stand more, double data, const Progress& progress) {
+  stand_ = std::move(more);
+  stand_.fit = search_.prune(
+      std::move(stand_.fit), already_, data, stand_.chosen, progress);
+  stand_.held_out =
+      fitter_->held_out_error(stand_.fit, held_out_folds, progress);
+}
+
+std::optional<StepwiseSelection::Stand> StepwiseSelection::with_others_moved(
+    const CandidateRanking& round, const Progress& progress) const {
+  constexpr std::size_t kinds_tried = 3;
+  const double before = stand_.fit.result.error;
+  if (stand_.chosen.empty() || before <= at_floor * told_floor()) return {};
+  std::set<const effects::Effect*> kinds;
+  for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
+    const Hypothesis& h = round.hypotheses[k];
+    if (!kinds.insert(h.own().effect).second) continue;
+    if (kinds.size() > kinds_tried) break;
+    Stand more{h.fit, 0.0, stand_.chosen};
+    more.chosen.push_back(search_.as_selected(round, k));
+    more.fit =
+        search_.relocate(std::move(more.fit), already_, more.chosen, progress);
+    const double noise = options_.floor_noise;
+    const auto own = static_cast<double>(h.own().p.size());
+    Worth worth;
+    worth.gain = log_gain(evidence(more.fit, own, h.places, round.data, noise),
+                          evidence(stand_.fit, 0.0, 1.0, round.data, noise),
+                          more.fit.result.error / before);
+    worth.held_out = stand_.held_out;
+    worth.with_it = fitter_->held_out_error(more.fit, held_out_folds, progress);
+    if (worth.earned() && is_told(more.fit)) return more;
+  }
+  return {};
 }
 
 }  // namespace tapfit::updating

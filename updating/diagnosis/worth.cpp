@@ -2,9 +2,11 @@
 
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
+#include "updating/frf_model/form_entries.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 namespace tapfit::updating {
@@ -25,15 +27,42 @@ bool has_other_runs(const Target& target) {
   return runs.size() > 1;
 }
 
+namespace {
+
+constexpr double whole = 1.0;  // of what an effect leaves
+
+// Of the modes in the band how far the last effect, which leaves a share of
+// what is there, moves their stiffness: root mean square, beside what it does
+// to all of them, which the modulus may do as well.
+double change_of_modes(const Fit& fit) {
+  const effects::TestContext& context = fit.model->context();
+  ModelState without = fit.result.state;
+  without.effects.back().p.front() = whole;
+  const Eigen::VectorXd with_it = fit.model->full_modes(fit.result.state).omega;
+  const Eigen::VectorXd omega = fit.model->full_modes(without).omega;
+  const double low = 2.0 * std::numbers::pi * form_below * context.low_hz;
+  const double high = 2.0 * std::numbers::pi * context.high_hz;
+  const Eigen::Index first = (omega.array() <= low).count();
+  const Eigen::Index count =
+      std::min((omega.array() < high).count(), with_it.size()) - first;
+  if (count < 1) return 0.0;
+  const Eigen::ArrayXd change = 2.0 * (with_it.segment(first, count).array() /
+                                       omega.segment(first, count).array())
+                                          .log();
+  return std::sqrt((change - change.mean()).square().mean());
+}
+
+}  // namespace
+
 bool is_told(const Fit& fit) {
   constexpr double in_95 = 1.96;  // standard deviations
-  constexpr double whole = 1.0;
   const EffectInstance& last = fit.result.state.effects.back();
   const Eigen::Index own = fit.result.covariance.rows() - 1;
   if (last.p.size() != 1 || own < 0) return true;
   if (parameters_of(last, *fit.model).front().upper != whole) return true;
   const double sd = std::sqrt(std::max(fit.result.covariance(own, own), 0.0));
-  return std::log(whole / last.p.front()) > in_95 * sd;
+  return std::log(whole / last.p.front()) > in_95 * sd ||
+         change_of_modes(fit) > middle_tau * fit.form.allowance;
 }
 
 Floor floor_of(const Fit& fit,

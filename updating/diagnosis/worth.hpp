@@ -36,8 +36,9 @@ struct Worth {
 
 /// Whether a fit's last effect, where it leaves a share of what is there, is
 /// told from leaving all of it: its 95 % interval, as wide as noise, mesh and
-/// form make it, ends before. The evidence takes errors of form and mesh as
-/// independent from mode to mode; at an inner corner they are not.
+/// form make it, ends before, or it moves the modes by more than a careful
+/// deck's form does. The evidence takes errors of form and mesh as independent
+/// from mode to mode; at an inner corner they are not.
 [[nodiscard]] bool is_told(const Fit& fit);
 
 /// What is left where nothing is missing.

@@ -32,6 +32,22 @@ TEST(ARanking, LeadsWithTheLikeliestKind) {
   EXPECT_EQ(all[1].own().where.node, 1);
 }
 
+// A spring to ground and a cable at the same sensor say nearly the same; that
+// springs were looked for at three hundred grids tells none from the other.
+TEST(ARanking, GroupsWhatOnlyTheNumberOfPlacesTellsApart) {
+  CandidateRanking round;
+  const double searched = std::log(300.0);
+  round.hypotheses = {at_node("sensor-cable", 1, 1e3, 20.0),
+                      at_node("ground-spring", 1, 1e3, 21.0 - searched),
+                      at_node("added-mass", 1, 0.1, 12.0)};
+  round.hypotheses[1].places = 300.0;
+  round.probability = {0.0, 0.99, 0.01, 0.0};
+  EXPECT_EQ(group_name(round, 0), "sensor-cable|ground-spring");
+  const std::vector<EffectRef> alike = indistinguishable(round, 0);
+  ASSERT_EQ(alike.size(), 1U);
+  EXPECT_EQ(alike.front().effect, "ground-spring");
+}
+
 TEST(ARanking, PutsNoneOnTheScaleOfTheOthers) {
   CandidateRanking round;
   round.hypotheses = {at_node("added-mass", 1, 0.1, 10.0)};

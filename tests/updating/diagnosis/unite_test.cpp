@@ -58,6 +58,35 @@ TEST_F(Unite, TurningAndShiftingOfOneSupportAreOneEffect) {
   EXPECT_NEAR(fit.effects[0].p[1] / both.p[1], 1.0, 2e-2);
 }
 
+// Found one after the other, each with its own mass.
+TEST_F(Unite, MassesOfTwoSensorsAreOneEffect) {
+  const auto mass_of = [](const std::vector<std::string>& channels,
+                          const std::string& variant,
+                          const std::vector<double>& p) {
+    Location where;
+    where.channels = channels;
+    where.variant = variant;
+    return EffectInstance{&effects::find("sensor-mass"), where, p};
+  };
+  const std::vector<EffectInstance> found = {mass_of({"acc2"}, "", {0.01}),
+                                             mass_of({"acc1"}, "", {0.01})};
+  for (const double second : {0.02, 0.05}) {
+    const bool alike = second == 0.02;
+    hide({mass_of({"acc1", "acc2"}, "each", {0.02, second})});
+    std::vector<SelectedEffect> chosen = {{"sensor-mass", 1.0},
+                                          {"sensor-mass", 1.0}};
+    const Fit fit =
+        ForwardSelection(*fitter_, {}).unite(fitted(found), 0, chosen, {});
+    ASSERT_EQ(fit.effects.size(), 1U);
+    EXPECT_EQ(chosen.size(), 1U);
+    EXPECT_EQ(fit.effects[0].where.channels.size(), 2U);
+    EXPECT_EQ(fit.effects[0].where.variant, alike ? "" : "each");
+    // The same model made the FRFs; the fit stops within 1e-3 of its objective.
+    EXPECT_NEAR(fit.effects[0].p.front(), 0.02, 4e-4);
+    EXPECT_NEAR(fit.effects[0].p.back(), second, 0.02 * second);
+  }
+}
+
 TEST_F(Unite, OtherEffectsStayApart) {
   Location grid;
   grid.node = 31;
