@@ -22,6 +22,7 @@
 #include <map>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -85,6 +86,17 @@ class Cases {
   }
 
  private:
+  [[nodiscard]] bool is_even_where_held() const {
+    std::set<double> thickness;
+    for (int j = 0; plate_.thicker && j < plate_.rows; ++j) {
+      for (int i = 0; i < plate_.columns; ++i) {
+        const bool held = plate_.is_held(i, j) || plate_.is_held(i + 1, j + 1);
+        if (held) thickness.insert(plate_.thicker(i, j));
+      }
+    }
+    return thickness.size() < 2;
+  }
+
   static Case with(Case one, const Case& other) {
     one.kind += "+" + other.kind;
     one.effects.insert(
@@ -239,7 +251,8 @@ class Cases {
       turn += (k % 2 == 1 || outer ? 1.0 : 2.0) * h / 3.0 * z * z;
     }
     it.truth.push_back({{"effect", "soft-support"}, {"kind", "face"}});
-    if (plate_.of_bars) return it;  // it turns unlike about its two axes
+    // A bar turns unlike about its two axes, a ribbed edge unlike along it.
+    if (plate_.of_bars || !is_even_where_held()) return it;
     it.truth.back()["reference"] = {
         {"rotational_stiffness_nm_per_rad_per_m", it.hidden.bed * turn}};
     return it;

@@ -12,6 +12,7 @@
 #include "updating/residual/independent_data.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -103,6 +104,27 @@ Fit ForwardSelection::with_last(const Fit& fit,
   turned.effects = effects;
   return fitter_->fit_beside(
       turned, effects, fitter_->model_for(effects), progress);
+}
+
+// Fitted anew, and going on from where it stands: an effect that does next to
+// nothing is no reason to end elsewhere.
+Fit ForwardSelection::without_one(const Fit& fit,
+                                  std::size_t k,
+                                  const Progress& progress) const {
+  Fit rest = fit;
+  rest.effects = without(fit, k);
+  std::vector<EffectInstance>& effects = rest.result.state.effects;
+  effects.erase(effects.begin() + static_cast<std::ptrdiff_t>(k));
+  const auto model = fitter_->model_for(rest.effects);
+  std::array<Fit, 2> fits;
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(fits.size(), [&](std::size_t which) {
+    fits[which] = which == 0
+                      ? fitter_->fit(rest.effects, model, quiet)
+                      : fitter_->fit_beside(rest, rest.effects, model, quiet);
+  });
+  const bool anew = fits[0].result.error <= fits[1].result.error;
+  return std::move(fits[anew ? 0 : 1]);
 }
 
 // The strongest evidence first.
@@ -276,6 +298,20 @@ Fit ForwardSelection::relocate(Fit fit,
   return fit;
 }
 
+// Fewer parameters counted.
+bool ForwardSelection::is_likelier(const Fit& united, const Fit& apart) const {
+  const double data =
+      independent_data(fitter_->target(), apart.result.residual);
+  const auto of = [&](const Fit& fit) {
+    double own = 0.0;
+    for (const EffectInstance& e : fit.effects) {
+      own += static_cast<double>(e.p.size());
+    }
+    return evidence(fit, own, 1.0, data, options_.floor_noise).log;
+  };
+  return of(united) > of(apart);
+}
+
 Fit ForwardSelection::unite(Fit fit,
                             std::size_t already,
                             std::vector<SelectedEffect>& chosen,
@@ -286,7 +322,8 @@ Fit ForwardSelection::unite(Fit fit,
       std::vector<EffectInstance> effects = without(fit, k);
       effects.back() = std::move(whole);
       Fit united = refit(effects, progress);
-      if (better * united.result.error > fit.result.error) continue;
+      const bool worse = better * united.result.error > fit.result.error;
+      if (worse && !is_likelier(united, fit)) continue;
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
       return united;
     }
@@ -301,13 +338,13 @@ Fit ForwardSelection::prune(Fit fit,
                             const Progress& progress) const {
   for (std::size_t k = already;
        k < fit.effects.size() && fit.effects.size() > already + 1;) {
-    Fit rest = refit(without(fit, k), progress);
+    Fit rest = without_one(fit, k, progress);
     const double own = static_cast<double>(fit.effects[k].p.size());
     const double noise = options_.floor_noise;
     const double gain = log_gain(evidence(fit, own, 1.0, data, noise),
                                  evidence(rest, 0.0, 1.0, data, noise),
                                  fit.result.error / rest.result.error);
-    if (gain < very_strong) {
+    if (gain < very_strong || !is_told(fit, k)) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

@@ -79,7 +79,7 @@ class ForwardSelection {
 
   /// A support that turns and shifts, found one after the other, is one effect
   /// with both, as are masses of some sensors and of others; kept where it
-  /// explains as much.
+  /// explains as much, or is as likely by its fewer parameters.
   [[nodiscard]] Fit unite(Fit fit,
                           std::size_t already,
                           std::vector<SelectedEffect>& chosen,
@@ -104,6 +104,10 @@ class ForwardSelection {
   [[nodiscard]] Fit with_last(const Fit& fit,
                               std::size_t k,
                               const Progress& progress) const;
+  [[nodiscard]] bool is_likelier(const Fit& united, const Fit& apart) const;
+  [[nodiscard]] Fit without_one(const Fit& fit,
+                                std::size_t k,
+                                const Progress& progress) const;
   [[nodiscard]] Fit refit(const std::vector<EffectInstance>& effects,
                           const Progress& progress) const;
 

@@ -124,9 +124,10 @@ bool StepwiseSelection::try_to_add(bool first,
   auto [best, itself, together, next] = choose(round, leader, first, rest);
   const Hypothesis& added = round.hypotheses[best];
   if (!together.earned() || !is_told(added.fit)) {
+    // A stand-in gives way to what led first.
+    if (without_second_) return false;
     auto moved = with_others_moved(round, rest);
     if (!moved) return false;
-    without_second_.reset();
     add(*std::move(moved), round.data, rest);
     return true;
   }

@@ -29,15 +29,32 @@ bool has_other_runs(const Target& target) {
 
 namespace {
 
-constexpr double whole = 1.0;  // of what an effect leaves
+// A share is told from all of it; what gives way or weighs, from nothing: its
+// size, or the inverse, lies more than this many deviations away.
+constexpr double in_95 = 1.96;
 
-// Of the modes in the band how far the last effect, which leaves a share of
-// what is there, moves their stiffness: root mean square, beside what it does
-// to all of them, which the modulus may do as well.
-double change_of_modes(const Fit& fit) {
+bool leaves_share(const effects::Effect& effect) {
+  return effect.changes_stiffness() == ChangeKind::Elements;
+}
+
+// With sizes at which it is as good as not there.
+EffectInstance absent(EffectInstance effect, const FrfModel& model) {
+  const auto kind = effect.effect->changes_stiffness();
+  const bool gives_way =
+      kind && *kind != ChangeKind::Preload;  // held stiffly, or whole
+  const auto specs = parameters_of(effect, model);
+  for (std::size_t j = 0; j < specs.size(); ++j) {
+    effect.p[j] = gives_way ? specs[j].upper : specs[j].lower;
+  }
+  return effect;
+}
+
+// Of the modes in the band how far an effect moves their stiffness: root mean
+// square, beside what it does to all of them, which the modulus may do as well.
+double change_of_modes(const Fit& fit, std::size_t k) {
   const effects::TestContext& context = fit.model->context();
   ModelState without = fit.result.state;
-  without.effects.back().p.front() = whole;
+  without.effects[k] = absent(without.effects[k], *fit.model);
   const Eigen::VectorXd with_it = fit.model->full_modes(fit.result.state).omega;
   const Eigen::VectorXd omega = fit.model->full_modes(without).omega;
   const double low = 2.0 * std::numbers::pi * form_below * context.low_hz;
@@ -52,17 +69,30 @@ double change_of_modes(const Fit& fit) {
   return std::sqrt((change - change.mean()).square().mean());
 }
 
+bool any_size_is_told(const Fit& fit, std::size_t k) {
+  const ModelState& state = fit.result.state;
+  Eigen::Index at =
+      static_cast<Eigen::Index>(state.factor.size()) + state.zeta.size();
+  for (std::size_t e = 0; e < k; ++e) at += std::ssize(state.effects[e].p);
+  const Eigen::MatrixXd& covariance = fit.result.covariance;
+  const EffectInstance& own = state.effects[k];
+  for (const double p : own.p) {
+    if (at >= covariance.rows()) return true;
+    const double sd = std::sqrt(std::max(covariance(at, at), 0.0));
+    const double away = leaves_share(*own.effect) ? -std::log(p) : 1.0;
+    if (away > in_95 * sd) return true;
+    ++at;
+  }
+  return false;
+}
+
 }  // namespace
 
-bool is_told(const Fit& fit) {
-  constexpr double in_95 = 1.96;  // standard deviations
-  const EffectInstance& last = fit.result.state.effects.back();
-  const Eigen::Index own = fit.result.covariance.rows() - 1;
-  if (last.p.size() != 1 || own < 0) return true;
-  if (parameters_of(last, *fit.model).front().upper != whole) return true;
-  const double sd = std::sqrt(std::max(fit.result.covariance(own, own), 0.0));
-  return std::log(whole / last.p.front()) > in_95 * sd ||
-         change_of_modes(fit) > middle_tau * fit.form.allowance;
+bool is_told(const Fit& fit, std::size_t k) {
+  const EffectInstance& own = fit.result.state.effects[k];
+  return own.effect->is_mistake() || own.p.empty() ||
+         any_size_is_told(fit, k) ||
+         change_of_modes(fit, k) > middle_tau * fit.form.allowance;
 }
 
 Floor floor_of(const Fit& fit,

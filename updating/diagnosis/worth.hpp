@@ -34,12 +34,17 @@ struct Worth {
 /// told as an error on others is the fit's own.
 [[nodiscard]] bool has_other_runs(const Target& target);
 
-/// Whether a fit's last effect, where it leaves a share of what is there, is
-/// told from leaving all of it: its 95 % interval, as wide as noise, mesh and
-/// form make it, ends before, or it moves the modes by more than a careful
-/// deck's form does. The evidence takes errors of form and mesh as independent
-/// from mode to mode; at an inner corner they are not.
-[[nodiscard]] bool is_told(const Fit& fit);
+/// Whether an effect of a fit is told from its absence: the 95 % interval of
+/// one of its sizes, as wide as noise, mesh and form make it, ends before, or
+/// it moves the modes by more than a careful deck's form does. The evidence
+/// takes errors of form and mesh as independent from mode to mode; at an inner
+/// corner or a clamp they are not. Of mistakes the evidence alone tells.
+/// @param k which of the fit's effects
+[[nodiscard]] bool is_told(const Fit& fit, std::size_t k);
+/// Its last.
+[[nodiscard]] inline bool is_told(const Fit& fit) {
+  return is_told(fit, fit.effects.size() - 1);
+}
 
 /// What is left where nothing is missing.
 struct Floor {

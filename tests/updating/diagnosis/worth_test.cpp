@@ -74,11 +74,39 @@ TEST_F(ToldFromNone, IsALossThatMovesModesMoreThanFormsDo) {
   EXPECT_TRUE(is_told_with(fit, 10.0));
 }
 
-// A size without a whole is the evidence's to judge.
-TEST_F(ToldFromNone, IsWhatHasNoWhole) {
+// 1 % of the plate's mass moves each mode, 0.01 % none.
+TEST_F(ToldFromNone, IsAMassOfMoreThanTwoDeviationsOrThatMovesModes) {
   Location where;
   where.node = 31;
-  const Fit fit = fit_of({&effects::find("added-mass"), where, {0.02}});
+  const EffectInstance heavy{&effects::find("added-mass"), where, {0.02}};
+  EXPECT_TRUE(is_told_with(fit_of(heavy), 10.0));
+  EffectInstance light = heavy;
+  light.p = {1e-5};
+  const Fit fit = fit_of(light);
+  EXPECT_TRUE(is_told_with(fit, 0.5));
+  EXPECT_FALSE(is_told_with(fit, 0.52));
+}
+
+// Of supports it is what they give.
+TEST_F(ToldFromNone, IsNoSupportThatGivesNextToNothing) {
+  const effects::Effect& effect = effects::find("soft-support");
+  Location clamp =
+      effect.places(support::plate_context(bundle_, deck_)).front();
+  clamp.variant = "rotation";
+  StiffnessChange change;
+  change.kind = ChangeKind::Support;
+  change.of = {effect.name(), clamp};
+  const double start = builder_.build({}, {change}).terms.front().start;
+  EXPECT_TRUE(is_told_with(fit_of({&effect, clamp, {start}}), 10.0));
+  const Fit stiff = fit_of({&effect, clamp, {1000.0 * start}});
+  EXPECT_TRUE(is_told_with(stiff, 0.5));
+  EXPECT_FALSE(is_told_with(stiff, 0.52));
+}
+
+TEST_F(ToldFromNone, IsAMistakeByTheEvidence) {
+  Location where;
+  where.channels = {"acc1"};
+  const Fit fit = fit_of({&effects::find("channel-gain"), where, {0.9}});
   EXPECT_TRUE(is_told_with(fit, 10.0));
 }
 
