@@ -340,8 +340,11 @@ Fit ForwardSelection::prune(Fit fit,
        k < fit.effects.size() && fit.effects.size() > already + 1;) {
     Fit rest = without_one(fit, k, progress);
     const double own = static_cast<double>(fit.effects[k].p.size());
+    // As many places as when it was added.
+    const std::vector<MadeFit>& tried = chosen[k - already].tried;
+    const double places = tried.empty() ? 1.0 : tried.front().places;
     const double noise = options_.floor_noise;
-    const double gain = log_gain(evidence(fit, own, 1.0, data, noise),
+    const double gain = log_gain(evidence(fit, own, places, data, noise),
                                  evidence(rest, 0.0, 1.0, data, noise),
                                  fit.result.error / rest.result.error);
     if (gain < very_strong || !is_told(fit, k)) {

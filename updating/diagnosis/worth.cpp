@@ -29,23 +29,24 @@ bool has_other_runs(const Target& target) {
 
 namespace {
 
-// A share is told from all of it; what gives way or weighs, from nothing: its
-// size, or the inverse, lies more than this many deviations away.
+// A share is told from all of it, a stiffness from any larger one, in these
+// many deviations of its logarithm or of its inverse.
 constexpr double in_95 = 1.96;
 
 bool leaves_share(const effects::Effect& effect) {
   return effect.changes_stiffness() == ChangeKind::Elements;
 }
 
-// With sizes at which it is as good as not there.
-EffectInstance absent(EffectInstance effect, const FrfModel& model) {
-  const auto kind = effect.effect->changes_stiffness();
-  const bool gives_way =
-      kind && *kind != ChangeKind::Preload;  // held stiffly, or whole
+// What decks are wrong by in form, too: clamps, joints, elements.
+bool gives_way(const effects::Effect& effect) {
+  const auto kind = effect.changes_stiffness();
+  return kind && *kind != ChangeKind::Preload;
+}
+
+// As stiff as it may be, as good as not there.
+EffectInstance stiffest(EffectInstance effect, const FrfModel& model) {
   const auto specs = parameters_of(effect, model);
-  for (std::size_t j = 0; j < specs.size(); ++j) {
-    effect.p[j] = gives_way ? specs[j].upper : specs[j].lower;
-  }
+  for (std::size_t j = 0; j < specs.size(); ++j) effect.p[j] = specs[j].upper;
   return effect;
 }
 
@@ -54,7 +55,7 @@ EffectInstance absent(EffectInstance effect, const FrfModel& model) {
 double change_of_modes(const Fit& fit, std::size_t k) {
   const effects::TestContext& context = fit.model->context();
   ModelState without = fit.result.state;
-  without.effects[k] = absent(without.effects[k], *fit.model);
+  without.effects[k] = stiffest(without.effects[k], *fit.model);
   const Eigen::VectorXd with_it = fit.model->full_modes(fit.result.state).omega;
   const Eigen::VectorXd omega = fit.model->full_modes(without).omega;
   const double low = 2.0 * std::numbers::pi * form_below * context.low_hz;
@@ -90,8 +91,7 @@ bool any_size_is_told(const Fit& fit, std::size_t k) {
 
 bool is_told(const Fit& fit, std::size_t k) {
   const EffectInstance& own = fit.result.state.effects[k];
-  return own.effect->is_mistake() || own.p.empty() ||
-         any_size_is_told(fit, k) ||
+  return !gives_way(*own.effect) || own.p.empty() || any_size_is_told(fit, k) ||
          change_of_modes(fit, k) > middle_tau * fit.form.allowance;
 }
 

@@ -34,11 +34,12 @@ struct Worth {
 /// told as an error on others is the fit's own.
 [[nodiscard]] bool has_other_runs(const Target& target);
 
-/// Whether an effect of a fit is told from its absence: the 95 % interval of
-/// one of its sizes, as wide as noise, mesh and form make it, ends before, or
-/// it moves the modes by more than a careful deck's form does. The evidence
-/// takes errors of form and mesh as independent from mode to mode; at an inner
-/// corner or a clamp they are not. Of mistakes the evidence alone tells.
+/// Whether an effect of a fit that makes something give way is told from its
+/// absence: the 95 % interval of one of its sizes, as wide as noise, mesh and
+/// form make it, ends before, or it moves the modes by more than a careful
+/// deck's form does. The evidence takes errors of form and mesh as independent
+/// from mode to mode; at an inner corner or a clamp they are not. Of other
+/// effects, which no deck is wrong by in form, the evidence alone tells.
 /// @param k which of the fit's effects
 [[nodiscard]] bool is_told(const Fit& fit, std::size_t k);
 /// Its last.

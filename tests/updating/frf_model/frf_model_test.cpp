@@ -55,7 +55,8 @@ TEST_F(FrfModelTest, SpringBetweenGridsAgreesWithAGridThere) {
   const MatrixXcd same =
       between->respond(undamped_state(*fitter_, *between, {spring}), s_, false)
           .H;
-  EXPECT_LT(difference(H, same), 1e-9);
+  // Rows of the base's own columns are of single precision.
+  EXPECT_LT(difference(H, same), 1e-7);
 }
 
 TEST_F(FrfModelTest, SwappedChannelsRecordEachOther) {

@@ -7,6 +7,8 @@
 #include "updating/properties/element_parts.hpp"
 #include "updating/properties/uncertain_property.hpp"
 #include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/deck/bar_thickness.hpp"
+#include "updating/structure/deck/bar_thickness.hpp"
 
 #include <gtest/gtest.h>
 
@@ -134,9 +136,10 @@ TEST(ElementPartsTest, ThinnedElementsAreThoseOfAThinnerDeck) {
   thin.shell_properties[1].thickness *= c;
   structure::BarProperty& bar = thin.bar_properties[2];
   bar.area *= c;
+  const double twist = structure::twist_by_thickness(bar);
   bar.I1 *= c * c * c;
   bar.I2 *= c;
-  bar.J *= c * c * c;
+  bar.J *= c * c * c + twist * (c - c * c * c);
   thin.rod_properties[3].area *= c;
   thin.rod_properties[3].J *= c * c * c;
   const std::vector<UncertainProperty> uncertain = {

@@ -51,11 +51,12 @@ TEST_F(PlateWithAMass, AClearEffectStandsUnderEveryChange) {
     EXPECT_TRUE(row.verdict_stands) << row.change << ": " << row.verdict;
     EXPECT_EQ(row.parameters.size(), 1U) << row.change;
   }
-  // The modulus is 2 % off: held at the deck's value, the mass makes up for it.
+  // The modulus is 2 % off: held at the deck's value, the mass makes up for it,
+  // by most of a deviation that knows that decks are off by as much.
   const auto held = std::ranges::find(
       rows, "E:1 held at the deck's value", &Robustness::change);
   ASSERT_NE(held, rows.end());
-  EXPECT_GT(held->largest_move_sd, 1.0);
+  EXPECT_GT(held->largest_move_sd, 0.5);
 }
 
 TEST_F(PlateWithAMass, AFitIsKeptAsItEnded) {
