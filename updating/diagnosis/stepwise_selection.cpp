@@ -123,7 +123,11 @@ bool StepwiseSelection::try_to_add(bool first,
   }
   auto [best, itself, together, next] = choose(round, leader, first, rest);
   const Hypothesis& added = round.hypotheses[best];
-  if (!together.earned() || !is_told(added.fit)) {
+  // More is asked of a pair where one effect alone does well.
+  const bool told =
+      without_second_ ? is_told_by_size(added.fit, added.fit.effects.size() - 1)
+                      : is_told(added.fit);
+  if (!together.earned() || !told) {
     // A stand-in gives way to what led first.
     if (without_second_) return false;
     auto moved = with_others_moved(round, rest);

@@ -89,9 +89,13 @@ bool any_size_is_told(const Fit& fit, std::size_t k) {
 
 }  // namespace
 
-bool is_told(const Fit& fit, std::size_t k) {
+bool is_told_by_size(const Fit& fit, std::size_t k) {
   const EffectInstance& own = fit.result.state.effects[k];
-  return !gives_way(*own.effect) || own.p.empty() || any_size_is_told(fit, k) ||
+  return !gives_way(*own.effect) || own.p.empty() || any_size_is_told(fit, k);
+}
+
+bool is_told(const Fit& fit, std::size_t k) {
+  return is_told_by_size(fit, k) ||
          change_of_modes(fit, k) > middle_tau * fit.form.allowance;
 }
 

@@ -42,6 +42,9 @@ struct Worth {
 /// effects, which no deck is wrong by in form, the evidence alone tells.
 /// @param k which of the fit's effects
 [[nodiscard]] bool is_told(const Fit& fit, std::size_t k);
+/// The same by the interval alone: what others in the model may make up for
+/// tells nothing then.
+[[nodiscard]] bool is_told_by_size(const Fit& fit, std::size_t k);
 /// Its last.
 [[nodiscard]] inline bool is_told(const Fit& fit) {
   return is_told(fit, fit.effects.size() - 1);
