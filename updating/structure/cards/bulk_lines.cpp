@@ -4,12 +4,10 @@
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/utf8.hpp"
 #include "updating/structure/abaqus/keyword_block.hpp"
-#include "updating/structure/abaqus/keyword_shapes.hpp"
 #include "updating/structure/abaqus/translate_inp.hpp"
 #include "updating/structure/cards/bulk_numbers.hpp"
-#include "updating/structure/cards/card_shapes.hpp"
-
-#include <fmt/format.h>
+#include "updating/structure/cards/deck_source.hpp"
+#include "updating/structure/cards/include_lines.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -19,72 +17,13 @@
 namespace tapfit::structure {
 namespace {
 
-constexpr std::size_t max_depth = 20;
-// Of INCLUDE files read, each time one is asked for.
-constexpr std::size_t max_includes = 1000;
-// Of the deck as a whole: some five million cards.
-constexpr std::uintmax_t max_bytes = 512U << 20U;
-
-// Editors may begin a file with the mark of UTF-8.
-void drop_byte_order_mark(std::string& text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
-}
-
-bool ends_inside_quotes(const std::string& text) {
-  const std::size_t open = text.find_first_of("'\"");
-  return open != std::string::npos &&
-         text.find(text[open], open + 1) == std::string::npos;
-}
-
-std::optional<std::string> include_name(const std::string& text) {
-  const std::string line = trimmed(text);
-  if (line.size() < 8 || upper(line.substr(0, 7)) != "INCLUDE") return {};
-  const char next = line[7];
-  if (next != ' ' && next != '\'' && next != '"' && next != '=') return {};
-  const std::size_t open = line.find_first_of("'\"");
-  if (open == std::string::npos) return trimmed(line.substr(8));
-  const std::size_t close = line.find(line[open], open + 1);
-  return line.substr(open + 1, close - open - 1);
-}
-
-// Beside the file that asks, or beside the deck itself, where solvers are
-// started.
-std::filesystem::path included(const std::filesystem::path& asks,
-                               std::string name,
-                               const std::filesystem::path& main) {
-  std::replace(name.begin(), name.end(), '\\', '/');
-  const std::filesystem::path beside = asks.parent_path() / name;
-  const std::filesystem::path at_main = main / name;
-  std::error_code error;
-  return !std::filesystem::exists(beside, error) &&
-                 std::filesystem::exists(at_main, error)
-             ? at_main
-             : beside;
-}
-
-// A long name goes on in the next lines; false where the file ends in it.
-bool complete_include(std::istream& file, std::string& text, int& number) {
-  if (is_keyword_line(text) && upper(trimmed(text)) == "*INCLUDE,") {
-    std::string more;
-    if (!acquisition::take_line(file, more)) return false;
-    text = trimmed(text) + trimmed(more);
-    ++number;
-  }
-  for (std::string more; include_name(text) && ends_inside_quotes(text);) {
-    if (!acquisition::take_line(file, more)) return false;
-    text += trimmed(more);
-    ++number;
-  }
-  return true;
-}
-
 // What a file asks for, whatever else is wrong with it; nothing where it cannot
 // be read.
 std::vector<std::string> names_included(const std::filesystem::path& path) {
   std::vector<std::string> names;
   std::ifstream file;
   try {
-    file = acquisition::open_input(path, max_bytes);
+    file = acquisition::open_input(path, max_deck_bytes);
   } catch (const InputError&) {
     return names;  // who needs the deck says what is wrong
   }
@@ -99,89 +38,6 @@ std::vector<std::string> names_included(const std::filesystem::path& path) {
     }
   }
   return names;
-}
-
-/// A deck with its INCLUDE files inlined.
-struct RawDeck {
-  std::size_t files = 0;  ///< read, each time one is asked for
-  std::vector<PlacedLine> lines;
-  std::uintmax_t bytes = 0;
-  bool keywords = false;  ///< an Abaqus or CalculiX deck
-};
-
-// Opens a file of the deck, as long as there is no end of them.
-std::ifstream open_part(const std::filesystem::path& path,
-                        const std::string& asked_by,
-                        RawDeck& deck) {
-  if (deck.files > max_includes + 1) {
-    throw InputError(
-        fmt::format("more than {} INCLUDE files are asked for", max_includes),
-        asked_by,
-        "Name each file once; files that include the next one twice double "
-        "the deck at each step.");
-  }
-  std::ifstream file = acquisition::open_input(path, max_bytes);
-  if (!file) {
-    throw InputError(fmt::format("cannot open the model {}", path.string()),
-                     asked_by,
-                     "Check the file's name and that it may be read.");
-  }
-  std::error_code ignored;
-  deck.bytes += std::filesystem::file_size(path, ignored);
-  if (deck.bytes > max_bytes) {
-    throw InputError(
-        fmt::format("the deck with its INCLUDE files has more than {} MB",
-                    max_bytes >> 20U),
-        asked_by,
-        "Leave out what is no part of the model.");
-  }
-  return file;
-}
-
-void read_file(const std::filesystem::path& path,
-               const std::filesystem::path& folder,
-               const std::string& asked_by,
-               std::size_t depth,
-               RawDeck& deck) {
-  ++deck.files;
-  if (depth > max_depth) {
-    throw InputError("INCLUDE files include each other without end",
-                     asked_by,
-                     "Remove the INCLUDE that leads back.");
-  }
-  std::ifstream file = open_part(path, asked_by, deck);
-  CardShapes cards;
-  KeywordShapes keywords;
-  std::string text;
-  for (int number = 1; acquisition::take_line(file, text); ++number) {
-    if (number == 1) drop_byte_order_mark(text);
-    const std::string where =
-        fmt::format("{}:{}", path.filename().string(), number);
-    if (!complete_include(file, text, number)) {
-      throw InputError("the name of the INCLUDE file does not end",
-                       where,
-                       "Close the quotes.");
-    }
-    const std::optional<std::string> name =
-        deck.keywords ? included_by_keyword(text) : include_name(text);
-    if (name) {
-      const char* mark = deck.keywords ? "** " : "$ ";
-      deck.lines.push_back(
-          {mark + ("inlined: " + trimmed(text)), where, number});
-      read_file(included(path, *name, folder), folder, where, depth + 1, deck);
-    } else {
-      deck.lines.push_back({text, where, number});
-      deck.keywords ? keywords.add(text) : cards.add(text);
-    }
-  }
-  if (file.bad()) {
-    throw InputError(
-        fmt::format("cannot be read to its end: {}", path.string()),
-        asked_by,
-        "Check the disk, and that it is a file of cards.");
-  }
-  // Before anything that it holds is looked at closer, and quoted.
-  deck.keywords ? keywords.check(path, asked_by) : cards.check(path, asked_by);
 }
 
 // NAME = value, in capitals; empty for other lines.
@@ -252,10 +108,8 @@ class CaseReader {
 }  // namespace
 
 DeckLines read_deck_lines(const std::filesystem::path& path) {
-  RawDeck deck;
+  DeckSource deck = read_deck_source(path);
   DeckLines result;
-  deck.keywords = is_keyword_deck(path);
-  read_file(path, path.parent_path(), path.string(), 0, deck);
   if (deck.keywords) {
     TranslatedDeck translated = translate_inp(deck.lines);
     deck.lines = std::move(translated.lines);
