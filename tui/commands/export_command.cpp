@@ -13,7 +13,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 
 namespace tapfit::tui {
 
@@ -31,17 +30,6 @@ void add_effects(updating::Session& session,
   if (options.effects.empty() && options.deck) {
     updating::add_diagnosed(session, progress);
   }
-}
-
-// What the written deck says that it does not hold.
-std::string unwritten(const std::filesystem::path& deck) {
-  std::string text;
-  std::ifstream file(deck);
-  for (std::string line; std::getline(file, line);) {
-    if (!line.starts_with("$ not written")) continue;
-    text += "  note: " + line.substr(2) + "\n";
-  }
-  return text;
 }
 
 ordered_json cards_json(const std::vector<structure::CardChange>& cards) {
@@ -110,9 +98,10 @@ std::string export_command(const CommandOptions& options,
       written.push_back(file.string());
     }
   }
+  updating::WrittenDeck deck;
   if (options.deck) {
-    updating::write_updated_deck(session, *options.deck, rule, progress);
-    written.push_back(options.deck->string());
+    deck = updating::write_updated_deck(session, *options.deck, rule, progress);
+    for (const auto& file : deck.files) written.push_back(file.string());
   }
   std::vector<structure::CardChange> cards;
   if (options.deck) {
@@ -125,7 +114,8 @@ std::string export_command(const CommandOptions& options,
   }
   std::string text;
   for (const auto& file : written) text += "written: " + file + "\n";
-  if (options.deck) text += cards_text(cards) + unwritten(*options.deck);
+  text += cards_text(cards);
+  for (const auto& note : deck.notes) text += "  note: " + note + "\n";
   return text;
 }
 

@@ -25,6 +25,7 @@
 #include <charconv>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -220,17 +221,17 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
   const structure::CardEdit rescale =
       structure::rescale_cards(cards.scales, done);
   UpdatedDeck result;
-  result.lines =
-      structure::edit_cards(deck.path,
-                            {structure::move_elements(written.moves, weak),
-                             weak.edit(cards.scales, done),
-                             rescale,
-                             structure::release_constraints(deck, released)});
+  result.edited =
+      structure::edit_deck(deck.path,
+                           {structure::move_elements(written.moves, weak),
+                            weak.edit(cards.scales, done),
+                            rescale,
+                            structure::release_constraints(deck, released)});
   result.added = std::move(written.added);
   const bool direct = std::ranges::any_of(result.added, [](const auto& card) {
     return card.starts_with("DMIG,K2GG");
   });
-  if (direct) structure::name_direct_stiffness("K2GG", result.lines);
+  if (direct) structure::name_direct_stiffness("K2GG", result.edited);
   for (std::size_t k = 0; k < cards.scales.size(); ++k) {
     if (done[k]) continue;
     const Estimate& estimate = cards.estimates[k];
@@ -284,10 +285,10 @@ void check_deck_name(const std::filesystem::path& path) {
       "name the file .bdf or .dat");
 }
 
-void write_updated_deck(Session& session,
-                        const std::filesystem::path& path,
-                        const acquisition::OutputRule& rule,
-                        const Progress& progress) {
+WrittenDeck write_updated_deck(Session& session,
+                               const std::filesystem::path& path,
+                               const acquisition::OutputRule& rule,
+                               const Progress& progress) {
   check_deck_name(path);
   const structure::Deck& deck = session.deck(progress);
   const Diagnosis named =
@@ -307,9 +308,7 @@ void write_updated_deck(Session& session,
   if (comparison.floor_mesh > 0.0) {
     updated.added.push_back(mesh_note(comparison));
   }
-  structure::Deck changed = deck;
-  changed.cards = std::move(updated.lines);
-  structure::write_deck(changed, updated.added, path, rule);
+  return write_as_read(deck, std::move(updated), path, rule);
 }
 
 }  // namespace tapfit::updating

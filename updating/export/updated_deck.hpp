@@ -8,6 +8,7 @@
 // properties in their cards, and the cards of the effects added.
 #pragma once
 
+#include "updating/export/written_deck.hpp"
 #include "updating/session/session.hpp"
 
 #include <filesystem>
@@ -24,13 +25,6 @@ namespace tapfit::updating {
     const acquisition::TestBundle& bundle,
     const structure::Deck& deck);
 
-/// Lines of the deck with identified properties in their cards and released
-/// components out of its constraints, and the cards to be added.
-struct UpdatedDeck {
-  std::vector<std::string> lines;
-  std::vector<std::string> added;
-};
-
 /// @param added_effects with the values that all of them together have
 /// @param identified uncertain properties
 /// @param form what the deck leaves out, put on its cards
@@ -42,13 +36,16 @@ struct UpdatedDeck {
     const std::vector<Estimate>& identified,
     const std::vector<ModelForm>& form = {});
 
-/// The updated deck, with the measured damping as a table (TABDMP1).
+/// The updated deck, with the measured damping as a table (TABDMP1). Of a deck
+/// with INCLUDE files those in which cards change are written beside it, the
+/// others stay where they are.
+///
 /// @throws InputError for a bundle without a deck, a file that cannot be
 ///   written; Stopped
-void write_updated_deck(Session& session,
-                        const std::filesystem::path& path,
-                        const acquisition::OutputRule& rule,
-                        const Progress& progress);
+WrittenDeck write_updated_deck(Session& session,
+                               const std::filesystem::path& path,
+                               const acquisition::OutputRule& rule,
+                               const Progress& progress);
 
 /// @throws InputError for .inp: bulk data of that name would be read as another
 ///   kind of deck

@@ -99,8 +99,8 @@ std::vector<std::string> direct_stiffness_cards(const Deck& deck,
   return cards;
 }
 
-void name_direct_stiffness(const std::string& name,
-                           std::vector<std::string>& lines) {
+void name_direct_stiffness(const std::string& name, EditedDeck& deck) {
+  const std::vector<std::string>& lines = deck.lines;
   const auto bulk = std::ranges::find_if(lines, [](const std::string& line) {
     return without_blanks(line).starts_with("BEGINBULK");
   });
@@ -108,13 +108,14 @@ void name_direct_stiffness(const std::string& name,
   const auto named = std::find_if(lines.begin(), bulk, [](const auto& line) {
     return without_blanks(line).starts_with("K2GG=");
   });
+  const auto at = static_cast<std::size_t>(named - lines.begin());
   if (named == bulk) {
-    lines.insert(bulk, "K2GG = " + name);
+    deck.replaced[at] = {"K2GG = " + name, *bulk};
     return;
   }
   const std::string taken = without_blanks(*named).substr(5) + ",";
   if (("," + taken).find("," + name + ",") == std::string::npos) {
-    *named += "," + name;
+    deck.replaced[at] = {*named + "," + name};
   }
 }
 

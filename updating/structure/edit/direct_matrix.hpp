@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/structure/deck/deck.hpp"
+#include "updating/structure/edit/edit_cards.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -20,7 +21,6 @@ namespace tapfit::structure {
     const Eigen::SparseMatrix<double>& K);
 
 /// Puts "K2GG = name" into the case control, if no line there says K2GG.
-void name_direct_stiffness(const std::string& name,
-                           std::vector<std::string>& lines);
+void name_direct_stiffness(const std::string& name, EditedDeck& deck);
 
 }  // namespace tapfit::structure

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace tapfit::structure {
@@ -37,25 +38,41 @@ std::vector<std::string> large_field(const Card& card) {
   return lines;
 }
 
-std::vector<std::string> edit_cards(const std::filesystem::path& deck,
-                                    const std::vector<CardEdit>& edits) {
+std::vector<std::string> EditedDeck::text() const {
+  std::vector<std::string> all;
+  auto next = replaced.begin();
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (next == replaced.end() || next->first != k) {
+      all.push_back(lines[k]);
+      continue;
+    }
+    all.insert(all.end(), next->second.begin(), next->second.end());
+    ++next;
+  }
+  return all;
+}
+
+EditedDeck edit_deck(const std::filesystem::path& deck,
+                     const std::vector<CardEdit>& edits) {
   BulkData bulk = read_bulk_data(deck);
   fill_defaults(bulk);
-  std::vector<std::vector<std::string>> below(bulk.lines.size());
+  EditedDeck edited;
   for (const Card& card : bulk.cards) {
     auto replacement = replaced(card, edits);
     if (!replacement) continue;
     for (const std::size_t k : card.lines) {
-      bulk.lines[k] = "$ was: " + bulk.lines[k];
+      edited.replaced[k] = {"$ was: " + bulk.lines[k]};
     }
-    below[card.lines.back()] = std::move(*replacement);
+    std::vector<std::string>& last = edited.replaced[card.lines.back()];
+    std::ranges::move(*replacement, std::back_inserter(last));
   }
-  std::vector<std::string> lines;
-  for (std::size_t k = 0; k < below.size(); ++k) {
-    lines.push_back(std::move(bulk.lines[k]));
-    lines.insert(lines.end(), below[k].begin(), below[k].end());
-  }
-  return lines;
+  edited.lines = std::move(bulk.lines);
+  return edited;
+}
+
+std::vector<std::string> edit_cards(const std::filesystem::path& deck,
+                                    const std::vector<CardEdit>& edits) {
+  return edit_deck(deck, edits).text();
 }
 
 }  // namespace tapfit::structure

@@ -62,17 +62,21 @@ TEST(DirectMatrix, GridsWithAxesOfTheirOwnAreLeft) {
 }
 
 TEST(DirectMatrix, IsNamedInTheCaseControlOnce) {
-  std::vector<std::string> lines = {"SOL 103", "CEND", "BEGIN BULK", "ENDDATA"};
-  name_direct_stiffness("K2GG", lines);
-  ASSERT_EQ(lines.size(), 5U);
-  EXPECT_EQ(lines[2], "K2GG = K2GG");
-  name_direct_stiffness("K2GG", lines);
-  EXPECT_EQ(lines.size(), 5U);
+  const auto named = [](const std::vector<std::string>& lines) {
+    EditedDeck deck{lines, {}};
+    name_direct_stiffness("K2GG", deck);
+    return deck.text();
+  };
+  const std::vector<std::string> once =
+      named({"SOL 103", "CEND", "BEGIN BULK", "ENDDATA"});
+  ASSERT_EQ(once.size(), 5U);
+  EXPECT_EQ(once[2], "K2GG = K2GG");
+  EXPECT_EQ(named(once), once);
   // Beside what the deck takes itself.
-  lines[2] = "K2GG = KX";
-  name_direct_stiffness("K2GG", lines);
-  name_direct_stiffness("K2GG", lines);
-  EXPECT_EQ(lines[2], "K2GG = KX,K2GG");
+  const std::vector<std::string> beside =
+      named({"CEND", "K2GG = KX", "BEGIN BULK", "ENDDATA"});
+  EXPECT_EQ(beside[1], "K2GG = KX,K2GG");
+  EXPECT_EQ(named(beside), beside);
 }
 
 }  // namespace
