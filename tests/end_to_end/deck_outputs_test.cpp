@@ -66,5 +66,13 @@ TEST_F(OutputsOfATest, OfADeckKeepItsIncludeFiles) {
   EXPECT_NE(after.at("frequencies_hz"), before.at("frequencies_hz"));
 }
 
+// Its cards could not be read from it again, nor could files stand beside it.
+TEST_F(OutputsOfATest, OfADeckAskForAFile) {
+  const ProgramResult refused = run("export", "--deck /dev/null");
+  EXPECT_EQ(refused.exit_status, 1);
+  EXPECT_TRUE(holds(refused.err, "is no file")) << refused.err;
+  EXPECT_TRUE(holds(refused.err, "name a file")) << refused.err;
+}
+
 }  // namespace
 }  // namespace tapfit::end_to_end

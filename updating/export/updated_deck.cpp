@@ -277,6 +277,15 @@ std::string mesh_note(const Comparison& comparison) {
 }  // namespace
 
 void check_deck_name(const std::filesystem::path& path) {
+  std::error_code fault;
+  if (std::filesystem::exists(path, fault) &&
+      !std::filesystem::is_regular_file(path, fault)) {
+    throw InputError(
+        "is no file: others may be written beside an updated deck, and what "
+        "changed is read from it again",
+        path.string(),
+        "name a file");
+  }
   if (path.extension() != ".inp") return;
   throw InputError(
       "decks are written as bulk data, also of an Abaqus or "

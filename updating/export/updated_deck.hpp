@@ -48,7 +48,7 @@ WrittenDeck write_updated_deck(Session& session,
                                const Progress& progress);
 
 /// @throws InputError for .inp: bulk data of that name would be read as another
-///   kind of deck
+///   kind of deck; for a folder, a pipe or a device
 void check_deck_name(const std::filesystem::path& path);
 
 /// @throws InputError for a model given as matrices, which has no deck

@@ -43,11 +43,6 @@ void check_same(const fs::path& deck, const EditedLayout& layout) {
       "was changed while it was read", deck.string(), "write the deck again");
 }
 
-bool is_no_file(const fs::path& target) {
-  std::error_code fault;
-  return fs::exists(target, fault) && !fs::is_regular_file(target, fault);
-}
-
 // All beside their targets, then all in their places, the deck itself last.
 void write_all(const std::vector<acquisition::FileContent>& files,
                const acquisition::OutputRule& rule) {
@@ -73,10 +68,6 @@ WrittenLayout write_layout(const fs::path& deck,
                            acquisition::OutputRule rule) {
   EditedLayout layout{read_deck_source(deck), edited, {}, {}, {}};
   check_same(deck, layout);
-  const bool alone = layout.source.files.size() == 1;
-  if (!alone && is_no_file(target)) {
-    return {{}, "the deck is written to no file that others could be beside"};
-  }
   add_cards(added, layout);
   layout.files = edited_files(layout.source, layout.edited);
   for (const EditedFile& file : layout.files) {
