@@ -55,6 +55,24 @@ double shift_below_zero(const SparseMatrix& K, const SparseMatrix& M) {
   return -1e-8 * *quartile;
 }
 
+// Where many more modes than are asked for lie nearer to zero than the shift,
+// it does not tell them apart: a line of n elements has its lowest at some
+// 1 / n^4 of K_ii / M_ii. The shift is then lowered step by step, as far as
+// the rounding of K allows: 1e-13 of the lower quartile.
+double closer_shift(const SparseMatrix& K,
+                    const SparseMatrix& M,
+                    double sigma,
+                    Eigen::Index asked) {
+  constexpr double step = 0.1;
+  constexpr int most_steps = 5;
+  for (int i = 0; i < most_steps; ++i) {
+    const std::optional<Eigen::Index> nearer = count_below(K, M, -sigma);
+    if (!nearer || *nearer <= asked) break;
+    sigma *= step;
+  }
+  return sigma;
+}
+
 // M x = mu (K - sigma M) x, lambda = sigma + 1/mu; M may be singular.
 Pairs solve_dense(const SparseMatrix& A,
                   const SparseMatrix& M,
@@ -131,7 +149,9 @@ Pairs solve_by_masses(const Factor& factor,
   return pairs;
 }
 
-// Well separated by the shift, modes take some ten restarts.
+// Well separated by the shift, modes take some ten restarts; more than few say
+// that the shift may be too far.
+constexpr Eigen::Index few_restarts = 15;
 constexpr Eigen::Index most_restarts = 40;
 
 std::optional<Pairs> solve_lanczos(const Factor& factor,
@@ -139,6 +159,7 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
                                    double sigma,
                                    Eigen::Index count,
                                    Eigen::Index basis,
+                                   Eigen::Index restarts,
                                    const std::stop_token& stop) {
   ShiftInvert op(factor, M.rows(), stop);
   MassProduct mass(M);
@@ -150,7 +171,7 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
   Eigen::Index found = 0;
   try {
     found = solver.compute(Spectra::SortRule::LargestMagn,
-                           most_restarts,
+                           restarts,
                            1e-11,
                            Spectra::SortRule::SmallestAlge);
   } catch (const InputError&) {
@@ -163,6 +184,34 @@ std::optional<Pairs> solve_lanczos(const Factor& factor,
     return std::nullopt;
   }
   return Pairs{solver.eigenvalues(), solver.eigenvectors()};
+}
+
+/// K - sigma M, factored.
+struct Shifted {
+  double sigma = 0.0;
+  Factor factor;
+};
+
+// The same, from nearer to zero where that is what it takes.
+std::optional<Pairs> solve_closer(Shifted& shifted,
+                                  const SparseMatrix& K,
+                                  const SparseMatrix& M,
+                                  Eigen::Index count,
+                                  Eigen::Index basis,
+                                  const std::stop_token& stop) {
+  auto raw = solve_lanczos(
+      shifted.factor, M, shifted.sigma, count, basis, few_restarts, stop);
+  if (raw) return raw;
+  const double closer = closer_shift(K, M, shifted.sigma, count);
+  if (closer != shifted.sigma) {
+    try {
+      shifted = {closer, Factor(K - closer * M, shifted.factor)};
+    } catch (const SingularMatrix&) {
+      // Nearer than the rounding of K: the shift stays as it is.
+    }
+  }
+  return solve_lanczos(
+      shifted.factor, M, shifted.sigma, count, basis, most_restarts, stop);
 }
 
 // Rayleigh-Ritz within the span found: exact orthonormality, also inside
@@ -210,6 +259,24 @@ Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
           pairs.phi.leftCols(n)};
 }
 
+// Each of some restarts makes a basis of twice the modes orthogonal, which
+// takes n basis^2 products: these are most of an hour of a core.
+constexpr double most_products = 4e11;
+
+void refuse_too_many(Eigen::Index n, Eigen::Index count, double max_hz) {
+  const auto basis = 2.0 * static_cast<double>(count);
+  if (static_cast<double>(n) * basis * basis <= most_products) return;
+  throw InputError(
+      fmt::format("the model has {} modes below {:.4g} Hz on {} degrees of "
+                  "freedom, too many to be solved for",
+                  count - 1,
+                  max_hz,
+                  n),
+      "stiffness and mass matrix",
+      "Lower the high end of band_hz, which modes are needed to some times of, "
+      "or use fewer and longer elements: a tenth of a wavelength is enough.");
+}
+
 }  // namespace
 
 Eigenmodes eigenmodes(const SparseMatrix& K,
@@ -221,26 +288,37 @@ Eigenmodes eigenmodes(const SparseMatrix& K,
   if (!is_finite(K) || !is_finite(M)) throw out_of_scale();
   const double sigma = shift_below_zero(K, M);
   const SparseMatrix A = K - sigma * M;
-  const Factor factor(A);  // throws for a mechanism without mass
+  Shifted shifted{sigma, Factor(A)};  // throws for a mechanism without mass
   const bool dense = n <= dense_limit || 2 * (count + 2) + 20 > n;
   // A negative mass hides in A behind the stiffness.
-  if (dense || factor.pivots().minCoeff() < 0.0) refuse_indefinite(K, M);
+  if (dense || shifted.factor.pivots().minCoeff() < 0.0)
+    refuse_indefinite(K, M);
   Eigen::Index asked = count + 2;
   if (dense) {
     return to_modes(solve_dense(A, M, sigma, count), count);
   }
   const std::vector<Eigen::Index> dofs = massive(M);
   if (std::ssize(dofs) <= dense_limit) {
-    return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
+    return to_modes(
+        solve_by_masses(shifted.factor, M, dofs, shifted.sigma, count), count);
   }
   Eigen::Index basis = std::min(n, 2 * asked + 10);
   for (int attempt = 0; attempt < 4; ++attempt) {
     std::optional<Pairs> raw;
     try {
-      raw = solve_lanczos(factor, M, sigma, asked, basis, stop);
+      raw = attempt == 0 ? solve_closer(shifted, K, M, asked, basis, stop)
+                         : solve_lanczos(shifted.factor,
+                                         M,
+                                         shifted.sigma,
+                                         asked,
+                                         basis,
+                                         most_restarts,
+                                         stop);
     } catch (const NothingLeft&) {
       if (std::ssize(dofs) > most_masses) break;
-      return to_modes(solve_by_masses(factor, M, dofs, sigma, count), count);
+      return to_modes(
+          solve_by_masses(shifted.factor, M, dofs, shifted.sigma, count),
+          count);
     }
     if (raw) {
       const Pairs pairs = polish(K, M, raw->phi);
@@ -269,6 +347,7 @@ Eigenmodes eigenmodes_up_to(const SparseMatrix& K,
       count_below(K, M, std::pow(two_pi * max_hz, 2));
   Eigen::Index count = counted ? *counted + 1 : Eigen::Index{20};
   while (true) {
+    refuse_too_many(K.rows(), count, max_hz);
     Eigenmodes modes = eigenmodes(K, M, count, stop);
     const Eigen::Index found = modes.frequency_hz.size();
     const Eigen::Index inside = (modes.frequency_hz.array() <= max_hz).count();
