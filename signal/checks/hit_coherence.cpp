@@ -1,6 +1,5 @@
 #include "signal/checks/hit_coherence.hpp"
 
-#include "acquisition/foundation/parallel.hpp"
 #include "acquisition/samples/statistics.hpp"
 
 #include <algorithm>
@@ -88,39 +87,20 @@ HitCoherence hit_coherence(const Spectra& spectra) {
   return result;
 }
 
+HitCoherence group_coherence(const GroupSpectra& of) {
+  if (of.hits.size() < 2) return {};
+  HitCoherence result = hit_coherence(of.spectra);
+  result.hits = of.hits;
+  result.channels = of.channels;
+  return result;
+}
+
 HitCoherence group_coherence(
     const acquisition::TestBundle& bundle,
     const std::vector<acquisition::Recording>& recordings,
     const acquisition::HitSet& hits,
     const acquisition::RunGroup& group) {
-  const FrfPlan plan = plan_frfs(bundle, hits, {});
-  const RealFft fft(hits.block);
-  std::vector<Spectra> spectra(group.size());
-  std::vector<HitAt> of;
-  for (const std::size_t r : group) {
-    for (std::size_t k = 0; k < hits.runs[r].size(); ++k) {
-      if (hits.runs[r][k].accepted) of.push_back({r, k});
-    }
-  }
-  if (of.size() < 2) return {};
-  for_each_parallel(group.size(), [&](std::size_t g) {
-    const std::size_t r = group[g];
-    const HitBlocks blocks =
-        cut_hits(arranged_as(bundle.runs[group.front()], bundle.runs[r]),
-                 recordings[r],
-                 hits,
-                 hits.runs[r],
-                 plan.blocks);
-    if (blocks.force.cols() == 0) return;
-    spectra[g] = fft_spectra(blocks, fft, plan.sigma, plan.first, plan.last);
-  });
-  HitCoherence result = hit_coherence(side_by_side(std::move(spectra)));
-  result.hits = std::move(of);
-  for (const acquisition::Placement& sensor :
-       bundle.runs[group.front()].sensors) {
-    result.channels.push_back(sensor.channel);
-  }
-  return result;
+  return group_coherence(group_spectra(bundle, recordings, hits, group));
 }
 
 RunCoherence part_of(const HitCoherence& of,

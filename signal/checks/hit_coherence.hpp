@@ -7,7 +7,7 @@
 #pragma once
 
 #include "acquisition/bundle/runs_alike.hpp"
-#include "signal/estimate/estimate_frfs.hpp"
+#include "signal/checks/group_spectra.hpp"
 #include "signal/spectra/spectra.hpp"
 
 #include <Eigen/Core>
@@ -15,14 +15,6 @@
 #include <vector>
 
 namespace tapfit::signal {
-
-/// One hit of a bundle.
-struct HitAt {
-  std::size_t run = 0;  ///< index into the bundle's runs
-  std::size_t hit = 0;  ///< index into the run's hits
-
-  auto operator<=>(const HitAt&) const = default;
-};
 
 struct HitCoherence {
   std::vector<HitAt> hits;             ///< accepted ones, in order
@@ -33,6 +25,9 @@ struct HitCoherence {
 
 /// @param spectra of the hits, one column each; taken as those of run 0
 [[nodiscard]] HitCoherence hit_coherence(const Spectra& spectra);
+
+/// Of the hits of one placement. Fewer than two give empty matrices.
+[[nodiscard]] HitCoherence group_coherence(const GroupSpectra& of);
 
 /// Of the accepted hits of runs of one placement, whose hits are averaged
 /// together. Fewer than two give empty matrices.

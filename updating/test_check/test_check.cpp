@@ -16,6 +16,7 @@
 #include "modal/checks/run_poles.hpp"
 #include "modal/checks/run_residues.hpp"
 #include "signal/checks/calibration_findings.hpp"
+#include "signal/checks/delay_findings.hpp"
 #include "signal/checks/exchanged_labels.hpp"
 #include "signal/checks/frf_findings.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -140,16 +141,36 @@ class Checker {
       progress_("coherence of hits",
                 static_cast<double>(group.front()) /
                     static_cast<double>(bundle.runs.size()));
-      const signal::HitCoherence of = signal::group_coherence(
+      const signal::GroupSpectra spectra = signal::group_spectra(
           bundle, session_.recordings(), session_.hits(), group);
+      const signal::HitCoherence of = group_coherence(spectra);
       for (const std::size_t r : group) {
         found_.coherence[r] = part_of(of, bundle, r);
       }
       for (const auto& [run, hit] : hits_apart(of)) {
         found_.apart[run].push_back(hit);
       }
-      add(coherence_findings(bundle, of, group));
+      signal::DelayChanges delays =
+          delay_changes(bundle, session_.hits(), spectra);
+      add(std::move(delays.findings));
+      for (const signal::HitAt& at : delays.hits) late_.insert(at);
+      for (Finding& finding : coherence_findings(bundle, of, group)) {
+        if (!is_late(finding.where)) add({std::move(finding)});
+      }
     }
+  }
+
+  // A hit of another delay stands apart for no other reason.
+  bool is_late(const Subject& where) const {
+    return where.runs.size() == 1 && where.hit &&
+           late_.contains({where.runs.front(), *where.hit});
+  }
+
+  // Hits of two delays average to what looks like another structure.
+  bool has_two_delays(const std::vector<std::size_t>& runs) const {
+    return std::ranges::any_of(late_, [&](const signal::HitAt& at) {
+      return std::ranges::find(runs, at.run) != runs.end();
+    });
   }
 
   void frfs() {
@@ -201,13 +222,16 @@ class Checker {
     if (!reached([&] { (void)session_.modes(progress_); })) return {};
     const modal::ModeSet& modes = session_.modes();
     progress_("checks of the modes", 0.0);
-    const std::vector<Finding> poles = run_pole_findings(bundle, set, modes);
+    std::vector<Finding> poles = run_pole_findings(bundle, set, modes);
     std::set<std::size_t> foreign;
     for (const Finding& of : poles) {
       if (of.severity != Severity::Error) continue;
       foreign.insert(of.where.runs.begin(), of.where.runs.end());
     }
-    add(poles);
+    std::erase_if(poles, [&](const Finding& of) {
+      return of.severity == Severity::Error && has_two_delays(of.where.runs);
+    });
+    add(std::move(poles));
     for (Finding& finding : run_residue_findings(bundle, set, modes)) {
       // Runs that are no part of the test have patterns of their own.
       const bool said = !finding.where.runs.empty() &&
@@ -272,6 +296,7 @@ class Checker {
   std::optional<double> body_kg_;
   const Progress& progress_;
   std::optional<double> deck_kg_;
+  std::set<signal::HitAt> late_;  // or early, against most of their placement
   TestCheck found_;
 };
 

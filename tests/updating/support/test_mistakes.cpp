@@ -201,6 +201,12 @@ std::vector<Mistake> signal_mistakes() {
   };
 }
 
+// From the third hit of a run on, as plain_test() times it.
+void late_from_last_hit(Eigen::Ref<VectorXd> x, double samples) {
+  const Index rest = x.size() - (600 + 2 * 4096 - 200);
+  x.tail(rest) = resampled(x, -samples, 1.0).bottomRows(rest);
+}
+
 // Of samples that are lost, clipped or late.
 std::vector<Mistake> sample_mistakes() {
   return {
@@ -249,6 +255,16 @@ std::vector<Mistake> sample_mistakes() {
          each_run(t, [size](auto& x) {
            x.col(1) = resampled(x.col(1), -between(0.1, 1.5, size), 1.0);
          });
+       }},
+      {"sensor delayed from a hit on",
+       {"in the hits before"},
+       [](Sheet& t, const Plain&, double size) {
+         late_from_last_hit(column(t, 2, 2), between(0.3, 3.0, size));
+       }},
+      {"hammer delayed from a hit on",
+       {"against all sensors"},
+       [](Sheet& t, const Plain&, double size) {
+         late_from_last_hit(column(t, 2, 0), between(0.3, 3.0, size));
        }},
   };
 }
