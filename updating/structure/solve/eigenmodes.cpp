@@ -260,8 +260,9 @@ Eigenmodes to_modes(const Pairs& pairs, Eigen::Index count) {
 }
 
 // Each of some restarts makes a basis of twice the modes orthogonal, which
-// takes n basis^2 products: these are most of an hour of a core.
-constexpr double most_products = 4e11;
+// takes n basis^2 products: these are a night of a core, and more memory than
+// most have (1000 modes of a million degrees of freedom).
+constexpr double most_products = 4e12;
 
 void refuse_too_many(Eigen::Index n, Eigen::Index count, double max_hz) {
   const auto basis = 2.0 * static_cast<double>(count);
