@@ -114,6 +114,23 @@ TEST_F(EffectStackTest, SaysAsUnsureASizeAsItsPlaceIs) {
   EXPECT_NEAR(sd_of_last(), std::hypot(placed, 0.2), 1e-9);
 }
 
+// What was found is gone on from in every fit that has it.
+TEST_F(EffectStackTest, StartsFromTheSizesThatWereFound) {
+  std::vector<std::vector<double>> starts;
+  StackFit watched = how();
+  watched.fit = [&](const std::vector<EffectInstance>& effects,
+                    const Fit& before,
+                    const Progress& progress) {
+    if (!effects.empty()) starts.push_back(effects.front().p);
+    return how().fit(effects, before, progress);
+  };
+  EffectRef found = mass_at(9);
+  found.start = {0.0123};
+  stack_->add(found, watched, none_);
+  stack_->add(mass_at(53), watched, none_);
+  EXPECT_EQ(starts, (std::vector<std::vector<double>>{{0.0123}, {0.0123}}));
+}
+
 TEST_F(EffectStackTest, SaysWhereTheErrorDoesNotFall) {
   const std::string said = "the error does not fall";
   stack_->add(mass_at(9), how(), {});
