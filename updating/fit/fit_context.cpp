@@ -130,6 +130,7 @@ SolvedModel solve_model(const structure::Deck& deck,
   const std::string unsplit = why_not_split(deck);
   const bool has_mesh = !deck.shells.empty() || !deck.bars.empty();
   options.split = has_mesh && unsplit.empty();
+  options.on_two_meshes = options.split;
   SolvedModel model{
       BaseBuilder(deck, bundle.uncertain, options, progress), {}, {}, unsplit};
   if (options.split) {

@@ -14,6 +14,7 @@
 #include "updating/reduction/missing_vectors.hpp"
 #include "updating/reduction/released_system.hpp"
 #include "updating/reduction/solve_base.hpp"
+#include "updating/reduction/subspace.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
@@ -65,8 +66,18 @@ bool release_dofs(const std::vector<StiffnessChange>& changes) {
   });
 }
 
+// Both ascending.
+std::vector<int> with(const std::vector<int>& points,
+                      const std::vector<int>& others) {
+  std::vector<int> all;
+  std::ranges::set_union(points, others, std::back_inserter(all));
+  return all;
+}
+
+}  // namespace
+
 // The same effects are asked for in one look after another.
-class MadeBases {
+class BaseBuilder::MadeBases {
  public:
   struct Request {
     std::vector<int> points;
@@ -84,14 +95,11 @@ class MadeBases {
     return at == made_.end() ? nullptr : at->base;
   }
 
-  /// @param columns that are its own
-  void keep(Request request,
-            std::shared_ptr<const ReducedBase> base,
-            Index columns) {
+  void keep(Request request, std::shared_ptr<const ReducedBase> base) {
     const auto matrices = static_cast<Index>(1 + 2 * base->K_part.size() +
                                              2 * base->terms.size());
     const Index numbers =
-        base->rows.rows() * columns + matrices * base->size() * base->size();
+        base->rows.own_numbers() + matrices * base->size() * base->size();
     const std::scoped_lock lock(mutex_);
     made_.push_back({std::move(request), std::move(base), numbers});
     numbers_ += numbers;
@@ -115,8 +123,6 @@ class MadeBases {
   Index numbers_ = 0;
 };
 
-}  // namespace
-
 struct BaseBuilder::Impl {
   Impl(const structure::Deck& deck,
        const std::vector<acquisition::UncertainProperty>& uncertain,
@@ -137,7 +143,6 @@ struct BaseBuilder::Impl {
   Span wide;  // modes and static responses at options.points
   Span lean;  // what fits need of it
   LeanOptions lean_options;
-  MadeBases made;
   double error = 0.0;  // of FRFs through the whole
   std::vector<std::string> warnings;
   std::vector<CorrectionPart> corrected;  // parts beyond the plain ones
@@ -154,7 +159,16 @@ struct BaseBuilder::Impl {
                                 const ReleasedSystem& released,
                                 const std::vector<StiffnessChange>& changes,
                                 const std::vector<int>& fresh) const;
+  /// The system with the changes; empty where it is the plain one.
+  [[nodiscard]] std::optional<ReleasedSystem> changed(
+      const std::vector<StiffnessChange>& changes,
+      const std::vector<int>& fresh) const;
   [[nodiscard]] ReducedBase extended(
+      const Span& span,
+      const std::vector<StiffnessChange>& changes,
+      const std::vector<int>& fresh) const;
+  /// Its columns beyond those of the span, at the deck's own grids.
+  [[nodiscard]] MatrixXd own_columns(
       const Span& span,
       const std::vector<StiffnessChange>& changes,
       const std::vector<int>& fresh) const;
@@ -167,7 +181,8 @@ BaseBuilder::BaseBuilder(
     const std::vector<acquisition::UncertainProperty>& uncertain,
     const BaseOptions& options,
     const Progress& progress)
-    : impl_(std::make_unique<Impl>(deck, uncertain, options, progress)) {
+    : impl_(std::make_shared<Impl>(deck, uncertain, options, progress)),
+      made_(std::make_unique<MadeBases>()) {
   const AssembledBase& model = impl_->model;
   SolvedBase solved =
       kept_or_solved(options.cache,
@@ -313,17 +328,14 @@ MatrixXd BaseBuilder::Impl::needed(const Span& span,
                          model.shift,
                          model.options.high_hz};
   std::vector<int> seen;
-  if (&span == &lean) {
-    std::ranges::set_union(span.points, fresh, std::back_inserter(seen));
-  }
+  if (&span == &lean) seen = with(span.points, fresh);
   return missing_vectors(held, plain_modes(), released, changes, fresh, seen);
 }
 
-ReducedBase BaseBuilder::Impl::extended(
-    const Span& span,
+std::optional<ReleasedSystem> BaseBuilder::Impl::changed(
     const std::vector<StiffnessChange>& changes,
     const std::vector<int>& fresh) const {
-  std::optional<ReleasedSystem> own;  // where it is not the plain one
+  std::optional<ReleasedSystem> own;
   if (!changes.empty()) {
     own = release(
         model.mesh, model.system, model.plain, model.elements, changes, pulled);
@@ -336,6 +348,25 @@ ReducedBase BaseBuilder::Impl::extended(
     lent.conservativeResize(own->dofs(), own->dofs());
     own->add_mass(lent);
   }
+  return own;
+}
+
+MatrixXd BaseBuilder::Impl::own_columns(
+    const Span& span,
+    const std::vector<StiffnessChange>& changes,
+    const std::vector<int>& fresh) const {
+  const std::optional<ReleasedSystem> own = changed(changes, fresh);
+  const ReleasedSystem& released = own ? *own : model.plain;
+  const MatrixXd R = m_orthogonal_complement(
+      *released.M, span.V, needed(span, released, changes, fresh));
+  return R.topRows(6 * model.original_grids);
+}
+
+ReducedBase BaseBuilder::Impl::extended(
+    const Span& span,
+    const std::vector<StiffnessChange>& changes,
+    const std::vector<int>& fresh) const {
+  const std::optional<ReleasedSystem> own = changed(changes, fresh);
   const ReleasedSystem& released = own ? *own : model.plain;
   ReducedBase base = extended_base(span.V,
                                    span.base,
@@ -357,9 +388,7 @@ ReducedBase BaseBuilder::Impl::extended(
 
 void BaseBuilder::Impl::make_lean(ReducedBase& base,
                                   const std::vector<int>& points) const {
-  std::vector<int> asked;
-  std::ranges::set_union(
-      points, model.options.driven, std::back_inserter(asked));
+  const std::vector<int> asked = with(points, model.options.driven);
   MatrixXd rows(base.size(), std::ssize(asked));
   for (std::size_t k = 0; k < asked.size(); ++k) {
     rows.col(static_cast<Index>(k)) = base.rows.row(asked[k]).transpose();
@@ -370,7 +399,7 @@ void BaseBuilder::Impl::make_lean(ReducedBase& base,
 ReducedBase BaseBuilder::build(const std::vector<int>& points,
                                const std::vector<StiffnessChange>& changes,
                                BaseUse use) const {
-  Impl& m = *impl_;
+  const Impl& m = *impl_;
   // Held elsewhere, a structure has modes that a lean span is not made for.
   const bool elsewhere = std::ranges::any_of(
       changes,
@@ -380,14 +409,20 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   std::vector<int> fresh;
   std::ranges::set_difference(points, span.points, std::back_inserter(fresh));
   if (changes.empty() && fresh.empty()) return span.base;
-  if (changes.empty()) return m.extended(span, changes, fresh);
   MadeBases::Request request{points, changes, use};
-  if (const auto known = m.made.find(request)) return *known;
+  if (const auto known = made_->find(request)) return *known;
   ReducedBase base = m.extended(span, changes, fresh);
-  const Index own = base.size() - span.V.cols();
   if (lean && release_dofs(changes)) m.make_lean(base, points);
-  m.made.keep(
-      std::move(request), std::make_shared<const ReducedBase>(base), own);
+  if (use == BaseUse::Fit && !m.model.options.on_two_meshes) {
+    base.rows.keep_only(with(points, m.model.options.points),
+                        [impl = impl_, &span, changes, fresh] {
+                          return impl->own_columns(span, changes, fresh);
+                        });
+  }
+  // Of no change it is as quickly made again.
+  if (!changes.empty()) {
+    made_->keep(std::move(request), std::make_shared<const ReducedBase>(base));
+  }
   return base;
 }
 

@@ -95,7 +95,9 @@ class BaseBuilder {
 
  private:
   struct Impl;
-  std::unique_ptr<Impl> impl_;
+  class MadeBases;
+  std::shared_ptr<Impl> impl_;  // bases make rows again by it
+  std::unique_ptr<MadeBases> made_;
 };
 
 }  // namespace tapfit::updating

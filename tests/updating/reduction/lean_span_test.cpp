@@ -96,6 +96,28 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
   }
 }
 
+// At grids that fits do not ask about a base is made again as it was, also
+// where its builder is gone.
+TEST_F(LeanSpan, KnowsTheGridsThatItDoesNotKeep) {
+  Location clamp;
+  clamp.nodes = {1, 12, 23, 34, 45};
+  clamp.variant = "rotation";
+  const std::vector<StiffnessChange> changes = {
+      {ChangeKind::Support, {"soft-support", clamp}, context_.component}};
+  BaseOptions options = support::plate_base(bundle_, deck_);
+  const auto base = [&](bool whole) {
+    options.on_two_meshes = whole;
+    const BaseBuilder bases(deck_, bundle_.uncertain, options, Progress{});
+    return bases.build({}, changes, BaseUse::Fit);
+  };
+  const ReducedBase kept = base(true);
+  const ReducedBase asked = base(false);
+  EXPECT_LT(20 * asked.rows.own_numbers(), kept.rows.own_numbers());
+  EXPECT_EQ(asked.rows.row(options.points.front()),
+            kept.rows.row(options.points.front()));
+  EXPECT_EQ(asked.rows.all(), kept.rows.all());
+}
+
 // Two effects at once, each anywhere in its range: the span was made from few
 // of these settings.
 TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereTwoThingsGiveWay) {

@@ -44,6 +44,28 @@ TEST(PointRows, RoundsColumnsThatAreItsOwn) {
   EXPECT_GT(largest, 0.0);
 }
 
+// Rows that are not kept are those of the columns made again, once.
+TEST(PointRows, KeepsOnlyWhatIsAskedFor) {
+  const MatrixXd shared = MatrixXd::Random(24, 3);
+  const MatrixXd own = MatrixXd::Random(24, 2);
+  const PointRows all = PointRows(shared).with(own);
+  PointRows few = all;
+  int made = 0;
+  few.keep_only({2, 7}, [&] {
+    ++made;
+    return own;
+  });
+  EXPECT_EQ(few.own_numbers(), 4);
+  EXPECT_EQ(all.own_numbers(), 48);
+  EXPECT_EQ(few.row(2), all.row(2));
+  EXPECT_EQ(few.row(7), all.row(7));
+  EXPECT_EQ(made, 0);
+  EXPECT_EQ(few.row(3), all.row(3));
+  EXPECT_EQ(few.all(), all.all());
+  EXPECT_EQ(few.rows_of_grid(2), all.rows_of_grid(2));
+  EXPECT_EQ(made, 1);
+}
+
 TEST(PointRows, OfWhatIsAtRestAreZero) {
   const MatrixXd columns = MatrixXd::Random(12, 3);
   PointRows rows(columns);
