@@ -1,5 +1,5 @@
-# Half of a build from nothing is instances of Eigen's templates that every file
-# makes anew. With CMAKE_UNITY_BUILD the files of a room are compiled in two
+# Half of a build from nothing is templates of Eigen, CLI11 and the like that
+# every file makes anew. With CMAKE_UNITY_BUILD the files of a room are compiled in two
 # parts. Which part a file belongs to depends on its name alone, so that a new
 # file never changes what others are compiled with.
 function(group_sources)
@@ -13,7 +13,7 @@ function(group_sources)
     string(REGEX REPLACE "^[89abcdef]...*" "b" part ${part})
     set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${room}_${part})
     # They name what their neighbours name otherwise, or are compiled otherwise.
-    set(alone saved_session saved_effect saved_fields decompositions products wing_study paper_wing virtual_portal undersampled_pulses_test
+    set(alone terminal terminal_traits saved_session saved_effect saved_fields decompositions products wing_study paper_wing virtual_portal undersampled_pulses_test
       replay_test turned_axes_test plate_modes_test reduced_normal_test
       run_consistency_test effect_stack_test
       mesh_shift_test ringing_modes_test)
@@ -23,12 +23,8 @@ function(group_sources)
   endforeach()
 endfunction()
 
-# Not the screens: few products of matrices, many short names.
 function(compile_together target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
-  if(target MATCHES "tui")
-    set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
-  endif()
 endfunction()
 
 # One library per folder: tapfit_folder(signal DEPENDS acquisition).

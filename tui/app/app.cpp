@@ -153,7 +153,7 @@ int replay_keys(const std::filesystem::path& bundle,
   return ExitStatus::Done;
 }
 
-std::filesystem::path demonstration() {
+std::filesystem::path shown_around() {
   if (auto found = picker_start().demonstration) return *std::move(found);
   throw InputError("the demonstration is not installed with this program",
                    "tapfit tour",
@@ -173,7 +173,7 @@ Glyphs wanted_glyphs(const AppOptions& options) {
 
 int run_app(const std::filesystem::path& asked, const AppOptions& options) {
   const bool shows_around = asked.empty() && options.tour;
-  const std::filesystem::path bundle = shows_around ? demonstration() : asked;
+  const std::filesystem::path bundle = shows_around ? shown_around() : asked;
   const Glyphs glyphs = wanted_glyphs(options);
   const bool ascii = glyphs == Glyphs::Ascii;
   if (options.keys_file) return replay_keys(bundle, options, ascii);

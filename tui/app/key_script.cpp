@@ -11,12 +11,12 @@
 namespace tapfit::tui {
 namespace {
 
-using Kind = ScriptStep::Kind;
+using StepKind = ScriptStep::Kind;
 
 ScriptStep parse_resize(const std::string& line, int number) {
   std::istringstream words(line);
   std::string word;
-  ScriptStep step{Kind::Resize, {}, 0, 0};
+  ScriptStep step{StepKind::Resize, {}, 0, 0};
   words >> word >> step.width >> step.height;
   if (!words || step.width < 1 || step.height < 1 || step.width > 2000 ||
       step.height > 2000) {
@@ -38,7 +38,7 @@ void parse_keys(std::string_view line,
           fmt::format("key script, line {}", number),
           "write <Enter>, <Esc>, <Tab>, <Left>, <C-r>, or <lt> for '<'");
     }
-    steps.push_back({Kind::Press, next->key, 0, 0});
+    steps.push_back({StepKind::Press, next->key, 0, 0});
     line.remove_prefix(next->bytes);
   }
 }
@@ -53,9 +53,9 @@ std::vector<ScriptStep> parse_key_script(std::string_view text) {
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty() || line[0] == '#') continue;
     if (line == "wait") {
-      steps.push_back({Kind::Wait, {}, 0, 0});
+      steps.push_back({StepKind::Wait, {}, 0, 0});
     } else if (line == "screen") {
-      steps.push_back({Kind::Dump, {}, 0, 0});
+      steps.push_back({StepKind::Dump, {}, 0, 0});
     } else if (line.starts_with("resize ")) {
       steps.push_back(parse_resize(line, number));
     } else {

@@ -102,7 +102,7 @@ std::string interval_text(const updating::Estimate& estimate) {
       "{:.{}f} to {:.{}f}", estimate.lo95, decimals, estimate.hi95, decimals);
 }
 
-std::string modes_text(const std::vector<PredictedMode>& modes) {
+std::string predicted_modes_text(const std::vector<PredictedMode>& modes) {
   TextTable table({"mode",
                    "measured Hz",
                    "model Hz",
@@ -197,7 +197,7 @@ std::string prediction_text(const Prediction& prediction,
   for (const auto& placed : prediction.with) {
     text += "  " + change_text(placed, context) + "\n";
   }
-  text += modes_text(prediction.modes) + frfs_text(prediction);
+  text += predicted_modes_text(prediction.modes) + frfs_text(prediction);
   for (const std::string& warning : prediction.warnings) {
     text += "  note: " + warning + "\n";
   }

@@ -30,7 +30,7 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-struct Words {
+struct ScoreWords {
   std::size_t cases = 16;
   std::uint64_t seed = 1;
   std::string shard = "1/1";
@@ -175,7 +175,7 @@ std::string summary_text(const ordered_json& cases) {
       percent_of(hold, intervals));
 }
 
-ordered_json run_cases(const Words& words, const Progress& progress) {
+ordered_json run_cases(const ScoreWords& words, const Progress& progress) {
   const auto [k, m] = shard_of(words.shard).value();
   const std::vector<std::string>& kinds =
       words.kinds.empty() ? updating::practice_kinds() : words.kinds;
@@ -202,7 +202,7 @@ ordered_json run_cases(const Words& words, const Progress& progress) {
 int score_command(int argc, const char* const* argv, const Progress& progress) {
   CLI::App app("Diagnoses practice cases and counts how often it was right",
                "tapfit score");
-  Words words;
+  ScoreWords words;
   app.add_option("--cases", words.cases, "how many cases")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--seed", words.seed, "same seed, same cases");

@@ -21,7 +21,7 @@ using updating::VirtualBundleResult;
 using updating::VirtualBundleSpec;
 
 /// The command line as written.
-struct Words {
+struct SimulateWords {
   std::string folder;
   std::vector<std::string> effects;
   std::string roving = "hammer";
@@ -41,7 +41,7 @@ std::string effect_fault(const std::string& text) {
   }
 }
 
-void describe(CLI::App& app, Words& words) {
+void describe_simulate(CLI::App& app, SimulateWords& words) {
   VirtualBundleSpec& spec = words.spec;
   app.add_option("folder", words.folder, "folder to make")->required();
   app.add_option("--structure",
@@ -101,7 +101,7 @@ void check_band(const std::vector<double>& band) {
                              "give the lower frequency first, above 0 Hz");
 }
 
-VirtualBundleSpec spec_of(const CLI::App& app, const Words& words) {
+VirtualBundleSpec spec_of(const CLI::App& app, const SimulateWords& words) {
   VirtualBundleSpec spec = words.spec;
   if (app.count("--effect") == 0 && spec.structure == "frame") {
     const VirtualBundleSpec demo = updating::demo_spec();
@@ -147,8 +147,8 @@ int simulate_command(int argc,
                      const Progress& progress) {
   CLI::App app("Makes a hammer test of a structure with a hidden effect",
                "tapfit simulate");
-  Words words;
-  describe(app, words);
+  SimulateWords words;
+  describe_simulate(app, words);
   const auto check = [&words] { check_band(words.band); };
   if (const auto status = answered(app, argc, argv, check)) return *status;
   const VirtualBundleSpec spec = spec_of(app, words);

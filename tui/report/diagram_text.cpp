@@ -22,7 +22,7 @@ constexpr int most_rows = 25;
 constexpr int most_curves = 3;               // singular values shown
 constexpr std::string_view rank = " ofvds";  // steadier to the right
 
-struct Axis {
+struct FrequencyAxis {
   double low = 0.0;
   double high = 1.0;
 
@@ -34,7 +34,7 @@ struct Axis {
 };
 
 /// Highest order first; neighbouring orders share a row where there are many.
-std::string pole_rows(const modal::ModeSet& modes, const Axis& axis) {
+std::string pole_rows(const modal::ModeSet& modes, const FrequencyAxis& axis) {
   int highest = 1;
   for (const modal::DiagramPole& pole : modes.diagram) {
     highest = std::max(highest, pole.order);
@@ -63,7 +63,7 @@ std::string pole_rows(const modal::ModeSet& modes, const Axis& axis) {
 std::string bars(const Eigen::VectorXd& f,
                  const Eigen::VectorXd& values,
                  double top,
-                 const Axis& axis) {
+                 const FrequencyAxis& axis) {
   constexpr std::array<const char*, 9> heights{" ",
                                                "\u2581",
                                                "\u2582",
@@ -90,7 +90,7 @@ std::string bars(const Eigen::VectorXd& f,
   return text;
 }
 
-std::string curve_rows(const signal::FrfSet& frfs, const Axis& axis) {
+std::string curve_rows(const signal::FrfSet& frfs, const FrequencyAxis& axis) {
   const Eigen::VectorXd f = frfs.frequency_hz();
   const Eigen::VectorXd sum = modal::summed_frf(frfs);
   const auto top = [&](const Eigen::VectorXd& values) {
@@ -110,7 +110,7 @@ std::string curve_rows(const signal::FrfSet& frfs, const Axis& axis) {
   return text;
 }
 
-std::string frequency_row(const Axis& axis) {
+std::string frequency_row(const FrequencyAxis& axis) {
   std::string ticks(columns, '-');
   std::string names(columns + 12, ' ');
   for (int k = 0; k <= 4; ++k) {
@@ -131,7 +131,7 @@ std::string diagram_text(const modal::ModeSet& modes,
                          const signal::FrfSet& frfs,
                          double low_hz,
                          double high_hz) {
-  const Axis axis{low_hz, std::max(high_hz, low_hz + 1e-9)};
+  const FrequencyAxis axis{low_hz, std::max(high_hz, low_hz + 1e-9)};
   std::string taken(columns, ' ');
   for (const modal::Mode& mode : modes.modes) {
     const std::optional<int> column = axis.column(mode.frequency_hz);

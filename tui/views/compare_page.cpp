@@ -61,14 +61,14 @@ std::size_t worst_of(const CompareInput& input,
   return otherwise;
 }
 
-CompareInput input_of(const Snapshot& known) {
+CompareInput compare_input(const Snapshot& known) {
   return {*known.comparison, *known.frfs, known.wire.get(), known.modes.get()};
 }
 
 }  // namespace
 
 Screen ComparePage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return compare_view(input_of(known), state_, canvas);
+  return compare_view(compare_input(known), state_, canvas);
 }
 
 void ComparePage::look_at(const CompareInput& input, double low, double high) {
@@ -181,7 +181,7 @@ bool ComparePage::press_modes_alone(const CompareInput& input,
 }
 
 bool ComparePage::press(const Snapshot& known, Key key, Command& command) {
-  const CompareInput input = input_of(known);
+  const CompareInput input = compare_input(known);
   if (input.frfs.frfs.empty()) return press_modes_alone(input, key, command);
   if (key == U'x') {
     state_.scale = next(state_.scale);
@@ -208,7 +208,8 @@ bool ComparePage::click(const Snapshot& known, const Zone& zone, int x) {
     state_.mac_column = zone.column;
   } else if (zone.kind == Zone::Kind::Entry) {
     state_.focus = Focus::Map;
-    state_.list.selected = frf_order(input_of(known), state_.list)[zone.index];
+    state_.list.selected =
+        frf_order(compare_input(known), state_.list)[zone.index];
     state_.band = zone.column;
   } else if (zone.kind == Zone::Kind::Row && pane == Focus::Pairs) {
     state_.focus = Focus::Pairs;

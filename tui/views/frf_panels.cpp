@@ -26,7 +26,7 @@ using signal::FrfSet;
 using Panel = FrfState::Panel;
 
 /// Of the selected one, then of those laid over it.
-Pen pen_of(std::size_t place) {
+Pen curve_pen(std::size_t place) {
   static constexpr std::array<Pen, 6> pens{{
       {Colour::Sky, Pattern::Solid, '*'},
       {Colour::Orange, Pattern::Dashed, 'o'},
@@ -57,7 +57,7 @@ Plot magnitude_plot(const FrfChoice& choice, const FrfState& state) {
     const Frf& frf = choice.frfs.frfs[i];
     Curve curve =
         measured_curve(signal::name(frf), f, frf, state.band && i == 0);
-    curve.pen = pen_of(i);
+    curve.pen = curve_pen(i);
     plot.curves.push_back(std::move(curve));
   }
   return in_scale(std::move(plot), state.scale);
@@ -72,9 +72,9 @@ Plot strip_plot(const FrfChoice& choice, const FrfState& state) {
   for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
     const Frf& frf = choice.frfs.frfs[i];
     if (phase) {
-      plot.curves.push_back(phase_curve("", f, frf.H, pen_of(i)));
+      plot.curves.push_back(phase_curve("", f, frf.H, curve_pen(i)));
     } else if (signal::has_coherence(frf)) {
-      plot.curves.push_back({"", f, frf.coherence, {}, {}, pen_of(i)});
+      plot.curves.push_back({"", f, frf.coherence, {}, {}, curve_pen(i)});
     }
   }
   return plot;
@@ -88,7 +88,7 @@ Plot part_plot(const FrfChoice& choice, const FrfState& state, bool real) {
   for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
     const Frf& frf = choice.frfs.frfs[i];
     if (frf.H.size() != f.size()) continue;
-    Curve curve{real ? signal::name(frf) : "", f, {}, {}, {}, pen_of(i)};
+    Curve curve{real ? signal::name(frf) : "", f, {}, {}, {}, curve_pen(i)};
     curve.y =
         real ? Eigen::VectorXd(frf.H.real()) : Eigen::VectorXd(frf.H.imag());
     if (i == 0 && state.band && frf.variance.size() == f.size()) {
@@ -163,7 +163,7 @@ void draw_nyquist(Screen& screen,
   for (std::size_t i = 0; i < choice.frfs.frfs.size(); ++i) {
     const Eigen::VectorXcd part =
         frfs.frfs[i].H.segment(first, last - first + 1);
-    plot.paths.push_back({"", part.real(), part.imag(), pen_of(i), true});
+    plot.paths.push_back({"", part.real(), part.imag(), curve_pen(i), true});
   }
   if (fit) {
     plot.paths.push_back(circle(*fit));

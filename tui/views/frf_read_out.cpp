@@ -18,9 +18,9 @@ using signal::Frf;
 using signal::FrfSet;
 
 /// "3.21 (m/s²)/N", or "10.1 dB".
-std::string size_words(double magnitude,
-                       const FrfChoice& choice,
-                       MagnitudeScale scale) {
+std::string magnitude_words(double magnitude,
+                            const FrfChoice& choice,
+                            MagnitudeScale scale) {
   return scale == MagnitudeScale::Decibels
              ? fixed(decibels(magnitude), 1) + " dB"
              : fmt::format("{} {}", number(magnitude), unit_of(choice.form));
@@ -53,7 +53,7 @@ std::string band_text(const FrfChoice& choice,
       fmt::format("{} to {} Hz", fixed(from, 2), fixed(to, 2));
   const std::string width_hz = fixed(to - from, 2);
   const std::string rms =
-      "rms " + size_words(std::sqrt(power / n), choice, scale);
+      "rms " + magnitude_words(std::sqrt(power / n), choice, scale);
   const std::string peak_hz = fixed(f[peak], 2) + " Hz";
   const auto mean = [&](const char* word) {
     return known ? fmt::format(", {} {}", word, fixed(coherence / n, 4)) : "";
@@ -108,15 +108,16 @@ std::string one_line(const FrfChoice& choice,
   const double phase = std::arg(frf.H[at]) * 180.0 / std::numbers::pi;
   const auto said = [&](const char* gap, const char* coherence) {
     const std::string value =
-        as_parts ? fmt::format("Re {}{}Im {} {}",
-                               number(frf.H[at].real()),
-                               gap,
-                               number(frf.H[at].imag()),
-                               unit_of(choice.form))
-                 : fmt::format("|H| {}{}∠ {}°",
-                               size_words(std::abs(frf.H[at]), choice, scale),
-                               gap,
-                               fixed(phase, 1));
+        as_parts
+            ? fmt::format("Re {}{}Im {} {}",
+                          number(frf.H[at].real()),
+                          gap,
+                          number(frf.H[at].imag()),
+                          unit_of(choice.form))
+            : fmt::format("|H| {}{}∠ {}°",
+                          magnitude_words(std::abs(frf.H[at]), choice, scale),
+                          gap,
+                          fixed(phase, 1));
     std::string text = fmt::format("{} Hz{}{}", fixed(hz, 3), gap, value);
     if (signal::has_coherence(frf)) {
       text +=

@@ -27,7 +27,7 @@ Table rows_of(const std::vector<Hit>& hits) {
   return table;
 }
 
-RecordingInput input_of(const Snapshot& known) {
+RecordingInput recording_input(const Snapshot& known) {
   return {*known.bundle,
           *known.traces,
           *known.hits,
@@ -54,12 +54,12 @@ std::vector<Need> RecordingPage::essential() const {
 std::vector<Need> RecordingPage::welcome(const Snapshot& known) const {
   if (state_.findings) return {{Stage::Findings}};
   if (state_.run >= known.hits->runs.size()) return {};
-  if (input_of(known).not_used(state_.run) != nullptr) return {};
+  if (recording_input(known).not_used(state_.run) != nullptr) return {};
   return {{Stage::RunLook, static_cast<int>(state_.run)}};
 }
 
 Screen RecordingPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  RecordingInput input = input_of(known);
+  RecordingInput input = recording_input(known);
   const auto look = known.run_looks.find(static_cast<int>(state_.run));
   if (look != known.run_looks.end()) input.look = look->second.get();
   return recording_view(input, state_, canvas);
@@ -218,7 +218,7 @@ bool RecordingPage::press_findings(const RecordingInput& input, Key key) {
 }
 
 bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
-  const RecordingInput input = input_of(known);
+  const RecordingInput input = recording_input(known);
   const std::size_t runs = page_run_count(input);
   if (runs == 0) return false;
   state_.run = std::min(state_.run, runs - 1);
@@ -262,7 +262,7 @@ bool RecordingPage::click(const Snapshot& known, const Zone& zone, int x) {
 bool RecordingPage::animate(const Snapshot& known) {
   Playing& playing = state_.playing;
   if (!playing.on || playing.paused) return false;
-  const RecordingInput input = input_of(known);
+  const RecordingInput input = recording_input(known);
   if (state_.run >= page_run_count(input)) return false;
   const double length = input.traces[state_.run].duration_s();
   constexpr double frame_s = 0.04;

@@ -240,7 +240,7 @@ std::vector<std::string> all_warnings(const Snapshot& known) {
   return found;
 }
 
-ReportInput input_of(const Snapshot& known) {
+ReportInput report_input(const Snapshot& known) {
   std::map<std::size_t, Snapshot::Shared<updating::Diagnosis>> diagnoses;
   for (const Snapshot::Effects& effects :
        {Snapshot::Effects{}, known.effects_on()}) {
@@ -290,7 +290,7 @@ Screen report_view(const ReportInput& input,
 }
 
 Screen ReportPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return report_view(input_of(known), state_, canvas);
+  return report_view(report_input(known), state_, canvas);
 }
 
 bool ReportPage::press_without_model(Key key, Command& command) {
@@ -301,7 +301,7 @@ bool ReportPage::press_without_model(Key key, Command& command) {
 }
 
 bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
-  const int rows = report_sheet(input_of(known), {}).height();
+  const int rows = report_sheet(report_input(known), {}).height();
   if (key == keys::down || key == U'j' || key == keys::wheel_down) {
     ++state_.first_row;
   } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {

@@ -54,7 +54,7 @@ Plot error_plot(const std::vector<double>& errors,
   return plot;
 }
 
-Pen pen_of(std::size_t i) {
+Pen parameter_pen(std::size_t i) {
   static constexpr std::array<Pen, 6> pens{{
       {Colour::Orange, Pattern::Solid, 'a'},
       {Colour::Sky, Pattern::Dashed, 'b'},
@@ -83,7 +83,7 @@ Plot parameter_plot(const UpdateRecord& record, bool ascii) {
     const auto at = static_cast<Eigen::Index>(p);
     const Eigen::VectorXd& last = record.steps.back().values;
     if (at >= last.size() || last[at] == 0.0) continue;
-    const Pen pen = pen_of(p);
+    const Pen pen = parameter_pen(p);
     const std::string letter = ascii ? "" : fmt::format("{} ", pen.mark);
     Curve curve{
         letter + parameter_words(record.parameters[p]), {}, {}, {}, {}, pen};

@@ -1,5 +1,6 @@
 #include "tui/commands/command_line.hpp"
 
+#include "tests/tui/support/holds.hpp"
 #include "tui/commands/commands.hpp"
 #include "tui/commands/update_command.hpp"
 #include "tui/options/help_format.hpp"
@@ -268,10 +269,6 @@ TEST(CommandLine, TheVersionNamesLibraries) {
                               "ncurses 6."}) {
     EXPECT_NE(text.find(library), std::string::npos) << text;
   }
-}
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 TEST(CommandLine, HelpSetsStudiesApart) {

@@ -1,6 +1,7 @@
 // The command as it is given, on a clamped beam that was measured by its modes.
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/tui/support/holds.hpp"
 #include "tests/updating/support/clamped_beam.hpp"
 #include "tui/commands/commands.hpp"
 #include "updating/session/saved_session.hpp"
@@ -70,10 +71,6 @@ class PredictCommand : public ::testing::Test {
 
   TemporaryFolder folder_;
 };
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST_F(PredictCommand, JsonHasThePromisedFields) {
   const json found = result(options("added-mass@21=50g"));

@@ -1,4 +1,5 @@
 // A document printed as HTML and as Markdown.
+#include "tests/tui/support/holds.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
 #include "tui/document/markup_text.hpp"
@@ -9,10 +10,6 @@
 
 namespace tapfit::tui {
 namespace {
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 Document small_document() {
   const Figure picture{"curve", "A & B", "<svg><g/></svg>"};

@@ -1,4 +1,5 @@
 // Pictures: where lines, bars, cells and points come to lie.
+#include "tests/tui/support/holds.hpp"
 #include "tui/document/svg_bars.hpp"
 #include "tui/document/svg_canvas.hpp"
 #include "tui/document/svg_heat_map.hpp"
@@ -16,10 +17,6 @@ namespace tapfit::tui {
 namespace {
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 long count(const std::string& text, const std::string& part) {
   long found = 0;

@@ -3,6 +3,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/tui/support/fake_results.hpp"
+#include "tests/tui/support/holds.hpp"
 #include "tests/tui/support/two_effects.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
@@ -24,10 +25,6 @@ namespace tapfit::tui {
 namespace {
 
 using testing::data_of_two_effects;
-
-bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 /// Up to the set-up, which begins the second page.
 std::vector<Section> first_page(const Document& document) {

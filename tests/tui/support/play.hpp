@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/tui/support/fake_workbench.hpp"
+#include "tests/tui/support/holds.hpp"
 #include "tui/app/program.hpp"
 #include "tui/app/replay.hpp"
 #include "tui/screen/text.hpp"
@@ -20,10 +21,6 @@ inline std::string played(const std::string& script,
                           const FakeOptions& options = {}) {
   Program program(testing::fake_workbench(options), canvas);
   return replay(program, parse_key_script(script));
-}
-
-inline bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 inline void expect_fits(const std::string& text, int width) {

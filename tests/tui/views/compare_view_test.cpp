@@ -1,6 +1,7 @@
 #include "tui/views/compare_view.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "tests/tui/support/holds.hpp"
 #include "tui/widgets/mac_map.hpp"
 
 #include <gtest/gtest.h>
@@ -12,10 +13,6 @@ namespace tapfit::tui {
 namespace {
 
 const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
-
-bool holds(const Screen& screen, const std::string& part) {
-  return screen.to_text().find(part) != std::string::npos;
-}
 
 TEST(CompareView, ShowsErrorFloorPairsAndMap) {
   const updating::Comparison c = testing::fake_comparison(0.05);

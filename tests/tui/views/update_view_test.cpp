@@ -1,6 +1,7 @@
 #include "tui/views/update_view.hpp"
 
 #include "tests/tui/support/fake_results.hpp"
+#include "tests/tui/support/holds.hpp"
 #include "tui/views/update_panels.hpp"
 #include "updating/session/added_effect.hpp"
 
@@ -10,10 +11,6 @@ namespace tapfit::tui {
 namespace {
 
 const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
-
-bool holds(const Screen& screen, const std::string& part) {
-  return screen.to_text().find(part) != std::string::npos;
-}
 
 TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   const signal::FrfSet frfs = testing::fake_frfs();

@@ -1,5 +1,6 @@
 // Views from hand-made results: the numbers shown are the results' numbers.
 #include "tests/tui/support/fake_workbench.hpp"
+#include "tests/tui/support/holds.hpp"
 #include "tui/screen/text.hpp"
 #include "tui/views/diagnose_view.hpp"
 #include "tui/views/frf_view.hpp"
@@ -18,10 +19,6 @@ namespace tapfit::tui {
 namespace {
 
 const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
-
-bool holds(const Screen& screen, const std::string& part) {
-  return screen.to_text().find(part) != std::string::npos;
-}
 
 std::vector<Trace> traces() {
   std::vector<Trace> all;
