@@ -34,14 +34,15 @@ std::optional<Point> look(const Fit& fit,
   }
   const Readjustment free = readjustment(result);
   const FormError form = form_error(*fit.model, result.state, target);
-  const VectorXd off = theta - result.prior.mean;
+  const double prior_cost =
+      prior_residuals(result.prior, theta).r.squaredNorm();
   const auto estimate = [&](const Readjustment& fitted) {
     FormView seen = view(form, r, fitted);
     seen.allowance = fit.form.allowance;
     return estimate_form(seen, judgement.data, judgement.noise);
   };
   return Point{theta,
-               estimate({}).log_likelihood - 0.5 * free.pull.dot(off),
+               estimate({}).log_likelihood - 0.5 * prior_cost,
                estimate(free).step};
 }
 

@@ -156,6 +156,7 @@ FitProblem fit_problem(const MeasuredTest& test,
   for (const acquisition::UncertainProperty& u : bundle.uncertain) {
     fit.uncertain_sd.push_back(u.sd_percent / 100.0);
   }
+  if (bundle.weighed) fit.weighed = known_mass(*bundle.weighed);
   std::array<double, 2> band = {test.context.low_hz, test.context.high_hz};
   fit.context.suspension = suspension_of(bundle, test.modes, builder);
   if (builder.is_free() && !test.modes.modes.empty()) {

@@ -46,15 +46,18 @@ Eigen::MatrixXd likely_form_bias(const FormError& form,
 Readjustment readjustment(const UpdateResult& result) {
   const Prior& prior = result.prior;
   const Eigen::VectorXd theta = pack(result.state);
-  Readjustment fit{result.jacobian, precision(prior), {}};
-  fit.pull.setZero(theta.size());
+  const Residuals known = prior_residuals(prior, theta);
+  Readjustment fit{result.jacobian,
+                   known.J.transpose() * known.J,
+                   known.J.transpose() * known.r};
   constexpr double touching = 1e-6;
   for (Index k = 0; k < theta.size(); ++k) {
-    fit.pull(k) = fit.precision(k) * (theta(k) - prior.mean(k));
     const bool bound = theta(k) < prior.lower(k) + touching ||
                        theta(k) > prior.upper(k) - touching;
     if (!bound) continue;
     fit.J.col(k).setZero();
+    fit.information.col(k).setZero();
+    fit.information.row(k).setZero();
     fit.pull(k) = 0.0;
   }
   return fit;

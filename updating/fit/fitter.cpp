@@ -207,8 +207,13 @@ class Fitter::Course {
     fit.form = std::move(form.view);
     fit.log_likelihood = form.log_likelihood;
     target.form_bias = std::move(form.bias);
-    fit.result.covariance = parameter_covariance(
-        target, fit.result.jacobian, fit.result.residual, fit.result.prior.sd);
+    const UpdateResult& own = fit.result;
+    fit.result.covariance =
+        parameter_covariance(target,
+                             own.jacobian,
+                             own.residual,
+                             own.prior.sd,
+                             known_slopes(own.prior, pack(own.state)));
   }
 
   void go_on(std::size_t stage, const MinimiseOptions& options) {

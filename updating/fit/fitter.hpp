@@ -10,6 +10,7 @@
 
 #include "acquisition/foundation/progress.hpp"
 #include "modal/checks/run_poles.hpp"
+#include "updating/fit/known_mass.hpp"
 #include "updating/fit/updater.hpp"
 #include "updating/frf_model/acted_points.hpp"
 #include "updating/frf_model/form_error.hpp"
@@ -42,6 +43,7 @@ struct FitProblem {
   double damping_ratio = 0.01;               ///< typical, as identified
   double damping_spread = 0.5;               ///< prior sd of ln zeta
   double form_allowance = 1.0;               ///< see FormView
+  std::optional<KnownMass> weighed = {};
 };
 
 struct Fit {

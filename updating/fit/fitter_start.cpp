@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -59,12 +60,25 @@ Prior Fitter::prior_for(const FrfModel& model, const ModelState& state) const {
     prior.lower(k) = std::log(1e-5);
     prior.upper(k) = std::log(0.5);
   }
+  MassLaw mass{builder_->mass_kg(),
+               builder_->part_masses(),
+               static_cast<Index>(state.factor.size())};
   for (const EffectInstance& e : state.effects) {
     for (const effects::ParameterSpec& spec : parameters_of(e, model)) {
+      // A sensor's is not weighed with the structure.
+      if (spec.name == "mass_kg" && e.where.channels.empty()) {
+        mass.added.push_back(k);
+      }
       prior.lower(k) = std::log(spec.lower);
       prior.upper(k) = std::log(spec.upper);
       ++k;
     }
+  }
+  if (problem_.weighed) {
+    prior.known = [mass = std::move(mass),
+                   known = *problem_.weighed](const Eigen::VectorXd& theta) {
+      return mass.residual(known, theta);
+    };
   }
   return prior;
 }

@@ -57,6 +57,7 @@ class Together {
     [[nodiscard]] const Target& target() const { return test.fitter->target(); }
   };
 
+  [[nodiscard]] Residuals known(const VectorXd& theta) const;
   void take_prior(const Part& part);
   [[nodiscard]] VectorXd start() const;
   void take_mesh(Part& part) const;
@@ -102,6 +103,7 @@ Together::Together(std::vector<JointTest> tests) {
   for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
     take_prior(*part);
   }
+  prior_.known = [this](const VectorXd& theta) { return known(theta); };
   theta_ = start();
   for (Part& part : parts_) weigh(part, part.test.alone.result.residual);
 }
@@ -115,6 +117,22 @@ void Together::take_prior(const Part& part) {
     prior_.lower(at) = part.prior.lower(k) - offset(k);
     prior_.upper(at) = part.prior.upper(k) - offset(k);
   }
+}
+
+// What is known besides of each test's structure.
+Residuals Together::known(const VectorXd& theta) const {
+  Residuals all{VectorXd(0), MatrixXd(0, theta.size())};
+  for (const Part& part : parts_) {
+    if (!part.prior.known) continue;
+    const Residuals own = part.prior.known(theta(part.at) + part.test.offset);
+    const Index rows = all.r.size() + own.r.size();
+    all.r.conservativeResize(rows);
+    all.r.tail(own.r.size()) = own.r;
+    all.J.conservativeResize(rows, Eigen::NoChange);
+    all.J.bottomRows(own.r.size()).setZero();
+    all.J.bottomRows(own.r.size())(Eigen::all, part.at) = own.J;
+  }
+  return all;
 }
 
 // Between what the tests say by themselves.
@@ -253,7 +271,7 @@ MatrixXd Together::covariance(const std::vector<Target>& targets) const {
                     parts_[k].left.J.cols(),
                     deviations(targets[k], parts_[k].test.structure)});
   }
-  return parameter_covariance(left, prior_.sd);
+  return parameter_covariance(left, prior_.sd, known_slopes(prior_, theta_));
 }
 
 double Together::moved() const {

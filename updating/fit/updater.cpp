@@ -85,7 +85,11 @@ class Updating {
            *prior_,
            unpack(*like_, point.theta),
            H_,
-           parameter_covariance(*target_, point.at.J, point.at.r, prior_->sd)});
+           parameter_covariance(*target_,
+                                point.at.J,
+                                point.at.r,
+                                prior_->sd,
+                                known_slopes(*prior_, point.theta))});
     }
     return !is_enough(*progress_);
   }
@@ -124,7 +128,8 @@ UpdateResult update(const FrfModel& model,
   result.error = error_of(target, at.at.r);
   result.objective = at.objective;
   result.prior_cost = at.prior_cost;
-  result.covariance = parameter_covariance(target, at.at.J, at.at.r, prior.sd);
+  result.covariance = parameter_covariance(
+      target, at.at.J, at.at.r, prior.sd, known_slopes(prior, at.theta));
   result.jacobian = std::move(at.at.J);
   result.residual = std::move(at.at.r);
   result.prior = prior;

@@ -31,7 +31,7 @@ struct UpdateResult {
   Eigen::MatrixXd covariance;  ///< of theta
   Eigen::MatrixXd jacobian;    ///< d r / d theta at the end
   Eigen::VectorXd residual;
-  double prior_cost = 0.0;  ///< sum ((theta - mean) / sd)^2
+  double prior_cost = 0.0;  ///< what J has beside the data's
   /// The start, then each step; see update_history.hpp.
   std::vector<UpdateStep> history;
   bool converged = false;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace tapfit::updating {
@@ -34,7 +35,8 @@ struct Weighed {
 };
 
 // A view with one tau, in coordinates in which S F' F S is tridiagonal: all
-// sigmas are told from there in as many operations as there are patterns.
+// sigmas are told from there in as many operations as there are patterns, and
+// where no mesh's error is known all taus are: S is then tau I.
 class Scaled {
   // A row is worked on as a whole.
   using Rows =
@@ -56,23 +58,24 @@ class Scaled {
     }
   }
 
-  [[nodiscard]] Weighed weigh(double g) const {
+  /// @param h g, or with S in units of some tau g times that tau's square
+  [[nodiscard]] Weighed weigh(double g, double h) const {
     const FormView& v = *view_;
     Weighed result;
     const Index k = along_.size();
     Rows solved(k, 1 + moved_.cols());
     solved << along_, moved_;
-    result.volume = solve(g, solved);
-    const double own = v.whole - g * along_.dot(solved.col(0));
+    result.volume = solve(h, solved);
+    const double own = v.whole - h * along_.dot(solved.col(0));
     result.square = g * std::max(own, 1e-30);
     if (v.slope.size() == 0) return result;
     MatrixXd A = g * v.gram;
     VectorXd b = g * v.slope + v.pull;
     if (k > 0) {
-      A -= g * g * moved_.transpose() * solved.rightCols(moved_.cols());
-      b -= g * g * moved_.transpose() * solved.col(0);
+      A -= g * h * moved_.transpose() * solved.rightCols(moved_.cols());
+      b -= g * h * moved_.transpose() * solved.col(0);
     }
-    A.diagonal() += v.precision;
+    A += v.information;
     A.diagonal().array() += 1.0 / (first_order * first_order);
     result.step = -A.ldlt().solve(b);
     const double gain = b.dot(result.step);
@@ -133,13 +136,20 @@ struct Density {
 // Of ln sigma.
 constexpr double close = 0.02;
 
+// A view with one of the taus.
+struct AtTau {
+  double tau = 0.0;
+  const Scaled& scaled;
+  double square = 1.0;  // tau^2, where S is in units of it
+};
+
 double log_density(const FormView& v,
-                   const Scaled& at,
+                   const AtTau& at,
                    double data,
-                   double sigma,
-                   double tau) {
-  const double off = std::log(tau / (v.allowance * middle_tau)) / spread;
-  const Weighed weighed = at.weigh(data / (sigma * sigma));
+                   double sigma) {
+  const double off = std::log(at.tau / (v.allowance * middle_tau)) / spread;
+  const double g = data / (sigma * sigma);
+  const Weighed weighed = at.scaled.weigh(g, at.square * g);
   return -0.5 * (2.0 * data * std::log(sigma) + weighed.volume +
                  weighed.square + off * off);
 }
@@ -180,13 +190,12 @@ struct Range {
 // compared.
 Density best_sigma(const FormView& v,
                    double data,
-                   double tau,
+                   const AtTau& with,
                    const Range& sigma,
                    double near) {
   constexpr double reach = 0.25;
-  const Scaled scaled(v, tau);
   const auto at = [&](double x) {
-    return log_density(v, scaled, data, std::exp(x), tau);
+    return log_density(v, with, data, std::exp(x));
   };
   const double bottom = std::log(sigma.bottom);
   const double top = std::log(sigma.top);
@@ -224,8 +233,13 @@ std::vector<Tried> tried_grid(const FormView& v,
   constexpr double nothing = 25.0;  // of log density below the most
   const double top = std::sqrt(std::max(v.whole, 1e-30));
   const Range sigma{std::max(std::min(noise, 0.99 * top), 1e-3 * top), top};
+  std::optional<Scaled> unit;
+  if (v.mesh_sd.isZero(0.0)) unit.emplace(v, 1.0);
   const auto at = [&](double tau, double near) {
-    const Density found = best_sigma(v, data, tau, sigma, near);
+    std::optional<Scaled> own;
+    if (!unit) own.emplace(v, tau);
+    const AtTau with{tau, unit ? *unit : *own, unit ? tau * tau : 1.0};
+    const Density found = best_sigma(v, data, with, sigma, near);
     return Tried{tau, found.log, found.sigma};
   };
   std::vector<double> taus;
@@ -304,7 +318,7 @@ FormView view(const FormError& form,
   seen.moved = form.F.transpose() * fit.J;
   seen.gram = fit.J.transpose() * fit.J;
   seen.slope = fit.J.transpose() * r;
-  seen.precision = fit.precision;
+  seen.information = fit.information;
   seen.pull = fit.pull;
   return seen;
 }
@@ -321,7 +335,7 @@ FormEstimate estimate_form(const FormView& v, double data, double noise) {
   best.log_likelihood_if_usual = log_integral(grid, usual);
   const double g = data / (best.sigma * best.sigma);
   const Scaled likeliest(v, best.tau);
-  best.step = likeliest.weigh(g).step;
+  best.step = likeliest.weigh(g, g).step;
   VectorXd along = v.along;
   double whole = v.whole;
   if (best.step.size() > 0) {

@@ -38,9 +38,9 @@ struct FormError {
 /// How a fit's parameters may still move the residual, to first order: a fit to
 /// the least residual is not where the likelihood is largest.
 struct Readjustment {
-  Eigen::MatrixXd J;          ///< d r / d theta; zero where theta may not move
-  Eigen::VectorXd precision;  ///< of the prior, 1 / sd^2
-  Eigen::VectorXd pull;       ///< precision times (theta - mean)
+  Eigen::MatrixXd J;  ///< d r / d theta; zero where theta may not move
+  Eigen::MatrixXd information;  ///< of the prior, half its cost's curvature
+  Eigen::VectorXd pull;         ///< half its slope; zero as well
 };
 
 /// A residual seen in the patterns: all that its likelihood needs.
@@ -52,7 +52,7 @@ struct FormView {
   Eigen::MatrixXd moved;  ///< F' J
   Eigen::MatrixXd gram;   ///< J' J
   Eigen::VectorXd slope;  ///< J' r
-  Eigen::VectorXd precision = {};
+  Eigen::MatrixXd information = {};
   Eigen::VectorXd pull = {};
   double allowance = 1.0;  ///< times what a careful deck is wrong by in form
 

@@ -19,12 +19,7 @@ namespace {
 // What is known of the parameters before, as rows of a residual. Else what
 // readjusts would explain whatever is there, corrections beyond all that a deck
 // is off by among it.
-struct PriorRows {
-  VectorXd r;
-  MatrixXd J;
-};
-
-PriorRows prior_rows(const Fit& current,
+Residuals prior_rows(const Fit& current,
                      const Target& target,
                      double residual,
                      Index parameters) {
@@ -33,9 +28,10 @@ PriorRows prior_rows(const Fit& current,
     return {VectorXd(0), MatrixXd(0, parameters)};
   }
   const double unit = residual / std::sqrt(effective_data(target));
-  const VectorXd per_sd = unit * precision(prior).cwiseSqrt();
-  const VectorXd off = pack(current.result.state) - prior.mean;
-  return {per_sd.cwiseProduct(off), per_sd.asDiagonal()};
+  Residuals rows = prior_residuals(prior, pack(current.result.state));
+  rows.r *= unit;
+  rows.J *= unit;
+  return rows;
 }
 
 }  // namespace
@@ -46,7 +42,7 @@ ProjectedMisfit::ProjectedMisfit(const Fit& current, const Target& target)
       current.model->respond(current.result.state, target.s, true);
   const VectorXd data = stack(target, response.H - target.H);
   const auto n = static_cast<Index>(response.dH.size());
-  const PriorRows prior =
+  const Residuals prior =
       prior_rows(current, target, residual(target, response.H).norm(), n);
   VectorXd all(data.size() + prior.r.size());
   all.head(data.size()) = data;

@@ -60,10 +60,7 @@ class Search {
   Search(const Evaluate& evaluate,
          const Prior& prior,
          const MinimiseOptions& options)
-      : evaluate_(&evaluate),
-        prior_(&prior),
-        precision_(precision(prior)),
-        options_(options) {}
+      : evaluate_(&evaluate), prior_(&prior), options_(options) {}
 
   [[nodiscard]] std::optional<Iterate> first(const VectorXd& theta,
                                              const CountData& data) {
@@ -88,7 +85,7 @@ class Search {
   [[nodiscard]] Iterate judged(const VectorXd& theta, Residuals at) const {
     Iterate point{theta, std::move(at), 0.0, 0.0, 0.0};
     const double misfit = std::max(point.at.r.squaredNorm(), 1e-30);
-    point.prior_cost = (theta - prior_->mean).cwiseAbs2().dot(precision_);
+    point.prior_cost = prior_residuals(*prior_, theta).r.squaredNorm();
     point.objective = data_ * std::log(misfit) + point.prior_cost;
     return point;
   }
@@ -102,7 +99,6 @@ class Search {
 
   const Evaluate* evaluate_;
   const Prior* prior_;
-  VectorXd precision_;
   double data_ = 1.0;
   MinimiseOptions options_;
   MatrixXd S_;
@@ -114,13 +110,13 @@ class Search {
 Quadratic Search::quadratic(const Iterate& at) const {
   const double w = data_ / std::max(at.at.r.squaredNorm(), 1e-30);
   Quadratic q;
-  q.g = w * at.at.J.transpose() * at.at.r +
-        precision_.cwiseProduct(at.theta - prior_->mean);
+  const Residuals known = prior_residuals(*prior_, at.theta);
+  q.g = w * at.at.J.transpose() * at.at.r + known.J.transpose() * known.r;
   const Index n = at.theta.size();
   q.plain = MatrixXd::Zero(n, n);
   q.plain.selfadjointView<Eigen::Lower>().rankUpdate(at.at.J.transpose(), w);
   q.plain = MatrixXd(q.plain.selfadjointView<Eigen::Lower>());
-  q.plain.diagonal() += precision_;
+  q.plain += known.J.transpose() * known.J;
   q.own = q.plain.diagonal().cwiseMax(1e-9);
   q.second = w * S_;
   return q;
@@ -228,13 +224,22 @@ Minimum Search::go_down(Iterate start, const OnStep& on_step) {
 
 }  // namespace
 
-VectorXd precision(const Prior& prior) {
-  VectorXd result(prior.sd.size());
-  for (Index k = 0; k < result.size(); ++k) {
-    result(k) =
-        std::isfinite(prior.sd(k)) ? 1.0 / (prior.sd(k) * prior.sd(k)) : 0.0;
-  }
-  return result;
+Residuals prior_residuals(const Prior& prior, const VectorXd& theta) {
+  // Zero where nothing is known.
+  const VectorXd per_sd = prior.sd.cwiseInverse();
+  Residuals all{per_sd.cwiseProduct(theta - prior.mean), per_sd.asDiagonal()};
+  if (!prior.known) return all;
+  const Residuals known = prior.known(theta);
+  const Index n = theta.size();
+  all.r.conservativeResize(n + known.r.size());
+  all.r.tail(known.r.size()) = known.r;
+  all.J.conservativeResize(n + known.r.size(), n);
+  all.J.bottomRows(known.r.size()) = known.J;
+  return all;
+}
+
+MatrixXd known_slopes(const Prior& prior, const VectorXd& theta) {
+  return prior.known ? prior.known(theta).J : MatrixXd();
 }
 
 std::optional<Minimum> minimise(const Evaluate& evaluate,

@@ -5,14 +5,17 @@
 //
 // The minimum, within bounds, of a misfit whose scale is not known:
 //
-//   f(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2
+//   f(theta) = N ln ||r(theta)||^2 + sum ((theta - mean) / sd)^2 +
+//   ||k(theta)||^2
+//
+// k is what is known besides, in its deviations: a mass that was weighed.
 //
 // The residual's variance (real data never reach the noise floor) is integrated
 // out, hence the logarithm. Each step is the least, in a box around the last
 // point, of a quadratic with half the gradient and half the curvature
 //
-//   g = w J'r + P (theta - mean),  A = w (J'J + S) + P,
-//   w = N / ||r||^2,  P = diag(1 / sd^2)
+//   g = w J'r + P (theta - mean) + K'k,  A = w (J'J + S) + P + K'K,
+//   w = N / ||r||^2,  P = diag(1 / sd^2),  K = dk / dtheta
 //
 // S is what J'J lacks, sum r_i d2 r_i / d theta^2, told by how J changed from
 // step to step. Where much is left, as before an effect is found, steps by J'J
@@ -32,21 +35,30 @@
 
 namespace tapfit::updating {
 
+struct Residuals {
+  Eigen::VectorXd r;
+  Eigen::MatrixXd J;  ///< d r / d theta, rows of r x parameters
+};
+
 /// What is known of theta beforehand; sd infinite where nothing is.
 struct Prior {
   Eigen::VectorXd mean;
   Eigen::VectorXd sd;
   Eigen::VectorXd lower;  ///< hard bounds
   Eigen::VectorXd upper;
+  /// Of other data k(theta), in their standard deviations; empty: there are
+  /// none.
+  std::function<Residuals(const Eigen::VectorXd& theta)> known = {};
 };
 
-/// 1 / sd^2, zero where there is no prior.
-[[nodiscard]] Eigen::VectorXd precision(const Prior& prior);
+/// All of it as rows of a residual: squares sum to the prior's cost, one row a
+/// parameter first, zero where nothing is known of it.
+[[nodiscard]] Residuals prior_residuals(const Prior& prior,
+                                        const Eigen::VectorXd& theta);
 
-struct Residuals {
-  Eigen::VectorXd r;
-  Eigen::MatrixXd J;  ///< d r / d theta, rows of r x parameters
-};
+/// d k / d theta of the other data; 0 x 0 where there are none.
+[[nodiscard]] Eigen::MatrixXd known_slopes(const Prior& prior,
+                                           const Eigen::VectorXd& theta);
 
 /// Empty where there are none, as of a model without an answer.
 using Evaluate =
@@ -56,7 +68,7 @@ using Evaluate =
 struct Iterate {
   Eigen::VectorXd theta;
   Residuals at;
-  double prior_cost = 0.0;  ///< sum ((theta - mean) / sd)^2
+  double prior_cost = 0.0;  ///< what f has beside the data's
   double objective = 0.0;   ///< f
   double moved = 0.0;       ///< largest change of a parameter on the way here
 };

@@ -22,6 +22,12 @@ struct UncertainPart {
   structure::SparseMatrix M;
 };
 
+/// Of one in translation: the mass is that of the deck plus sum_t c_t(f) kg_t.
+struct PartMass {
+  std::vector<int> power;
+  double kg = 0.0;
+};
+
 /// c_t(f).
 [[nodiscard]] double part_coefficient(const std::vector<int>& power,
                                       const std::vector<double>& factor);

@@ -67,8 +67,12 @@ AssembledBase::AssembledBase(
   }
   shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   answers.emplace(system, motions, shift);
-  plain = nothing_released(
-      system, uncertain_parts(mesh.deck, uncertain), std::move(forms));
+  std::vector<UncertainPart> parts = uncertain_parts(mesh.deck, uncertain);
+  for (const UncertainPart& part : parts) {
+    if (part.M.nonZeros() == 0) continue;
+    part_mass.push_back({part.power, structure::total_mass(mesh.deck, part.M)});
+  }
+  plain = nothing_released(system, std::move(parts), std::move(forms));
 }
 
 std::vector<FormModes> form_modes(const AssembledBase& model,

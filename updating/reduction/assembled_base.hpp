@@ -36,8 +36,9 @@ struct AssembledBase {
   Eigen::Index original_grids = 0;
   structure::RefinedDeck mesh;  ///< the deck, split
   structure::System system;
-  structure::FreeMotions motions;  ///< u = T q
-  double mass = 0.0;               ///< [kg]
+  structure::FreeMotions motions;   ///< u = T q
+  double mass = 0.0;                ///< [kg]
+  std::vector<PartMass> part_mass;  ///< of those with mass
   double shift = 0.0;  ///< K + shift M gives static answers [rad^2/s^2]
   std::optional<ResidualFlexibility> answers;
   ReleasedSystem plain;   ///< the model with nothing released

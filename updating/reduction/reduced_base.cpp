@@ -309,6 +309,9 @@ double BaseBuilder::elastic_hz() const {
 }
 
 double BaseBuilder::mass_kg() const { return impl_->model.mass; }
+const std::vector<PartMass>& BaseBuilder::part_masses() const {
+  return impl_->model.part_mass;
+}
 double BaseBuilder::error() const { return impl_->error; }
 Index BaseBuilder::dofs() const { return impl_->model.motions.size(); }
 const std::vector<std::string>& BaseBuilder::warnings() const {

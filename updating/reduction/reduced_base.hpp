@@ -22,6 +22,7 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/progress.hpp"
+#include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/base_matrices.hpp"
 #include "updating/reduction/base_options.hpp"
 #include "updating/reduction/stiffness_change.hpp"
@@ -85,6 +86,7 @@ class BaseBuilder {
   /// beyond what was solved for.
   [[nodiscard]] double elastic_hz() const;
   [[nodiscard]] double mass_kg() const;
+  [[nodiscard]] const std::vector<PartMass>& part_masses() const;
   /// Largest relative error of FRFs through the base over the band, see
   /// base_error(); the base grows until it is 1e-6 or less.
   [[nodiscard]] double error() const;

@@ -90,18 +90,21 @@ MatrixXd within_prior(const MatrixXd& covariance, const VectorXd& prior_sd) {
 MatrixXd parameter_covariance(const Target& target,
                               const MatrixXd& J,
                               const VectorXd& r,
-                              const VectorXd& prior_sd) {
-  return parameter_covariance({{target, J, r, J.cols()}}, prior_sd);
+                              const VectorXd& prior_sd,
+                              const MatrixXd& known) {
+  return parameter_covariance({{target, J, r, J.cols()}}, prior_sd, known);
 }
 
 MatrixXd parameter_covariance(const std::vector<FittedResidual>& tests,
-                              const VectorXd& prior_sd) {
+                              const VectorXd& prior_sd,
+                              const MatrixXd& known) {
   const Index n = prior_sd.size();
   if (n == 0) return MatrixXd(0, 0);
   MatrixXd A = MatrixXd::Zero(n, n);
   for (const FittedResidual& test : tests) {
     A += test.J.transpose() * test.J / variance(test);
   }
+  if (known.size() > 0) A += known.transpose() * known;
   for (Index k = 0; k < n; ++k) {
     A(k, k) += std::isfinite(prior_sd(k)) ? std::pow(prior_sd(k), -2) : 0.0;
     A(k, k) = std::max(A(k, k), 1e-12);

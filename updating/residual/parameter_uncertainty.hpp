@@ -31,16 +31,20 @@ struct FittedResidual {
 /// 2015.
 ///
 /// @param prior_sd n, infinite where there is no prior
+/// @param known d k / d theta of other data in their deviations, rows x n
 [[nodiscard]] Eigen::MatrixXd parameter_covariance(
     const Target& target,
     const Eigen::MatrixXd& J,
     const Eigen::VectorXd& r,
-    const Eigen::VectorXd& prior_sd);
+    const Eigen::VectorXd& prior_sd,
+    const Eigen::MatrixXd& known = {});
 
 /// The same of several tests that were fitted together, each with a variance
 /// and runs of its own. What a deck that they share is wrong by does not
 /// average out.
 [[nodiscard]] Eigen::MatrixXd parameter_covariance(
-    const std::vector<FittedResidual>& tests, const Eigen::VectorXd& prior_sd);
+    const std::vector<FittedResidual>& tests,
+    const Eigen::VectorXd& prior_sd,
+    const Eigen::MatrixXd& known = {});
 
 }  // namespace tapfit::updating

@@ -69,8 +69,8 @@ TEST_F(Projected, WhatReadjustsKeepsToThePrior) {
     const VectorXd m = stack(target, now.H - target.H);
     const VectorXd c = misfit.change(softer());
     const Prior& prior = fit_.result.prior;
-    const VectorXd weight = m.norm() / std::sqrt(effective_data(target)) *
-                            precision(prior).cwiseSqrt();
+    const VectorXd weight =
+        m.norm() / std::sqrt(effective_data(target)) * prior.sd.cwiseInverse();
     const auto n = static_cast<Index>(now.dH.size());
     MatrixXd J(m.size() + n, n);
     for (Index k = 0; k < n; ++k) {

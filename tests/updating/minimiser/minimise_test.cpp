@@ -130,6 +130,36 @@ TEST(Minimise, WeighsThePrior) {
       10.0 * (t - 1.0) / ((t - 1.0) * (t - 1.0) + 1.0) + t / 0.25, 0.0, 1e-6);
 }
 
+// The same as data besides; what they and the prior say of two parameters adds
+// up.
+TEST(Minimise, WeighsWhatIsKnownBesides) {
+  const auto line = [](const VectorXd& t) -> std::optional<Residuals> {
+    Residuals at{VectorXd(2), MatrixXd(2, 1)};
+    at.r << t(0) - 1.0, 1.0;
+    at.J << 1.0, 0.0;
+    return at;
+  };
+  const auto end = [&line](const Prior& prior) {
+    const auto found =
+        minimise(line, prior, data(10.0), VectorXd::Zero(1), {100, 1e-12, 0.0});
+    return found ? found->point.theta(0) : 1e300;
+  };
+  const auto known = [](double sd) {
+    return [sd](const VectorXd& t) -> Residuals {
+      return {t / sd, MatrixXd::Constant(1, 1, 1.0 / sd)};
+    };
+  };
+  Prior prior = no_prior(1);
+  prior.sd(0) = 0.5;
+  Prior besides = no_prior(1);
+  besides.known = known(0.5);
+  EXPECT_NEAR(end(besides), end(prior), 1e-9);
+  prior.known = known(0.5);
+  Prior both = no_prior(1);
+  both.sd(0) = 0.5 / std::sqrt(2.0);
+  EXPECT_NEAR(end(prior), end(both), 1e-9);
+}
+
 TEST(Minimise, StopsWhenTold) {
   int steps = 0;
   const auto found = minimise(valley,

@@ -238,7 +238,11 @@ std::vector<int> elements_of_material(const Deck& deck, int id) {
 }
 
 double total_mass(const Deck& deck, const System& system) {
-  const Eigen::Index n = system.dofs();
+  return total_mass(deck, system.M);
+}
+
+double total_mass(const Deck& deck, const SparseMatrix& M) {
+  const Eigen::Index n = M.rows();
   if (n != 6 * static_cast<Eigen::Index>(deck.grids.size())) {
     throw InputError("the matrices do not belong to the model",
                      deck.path.filename().string(),
@@ -251,7 +255,7 @@ double total_mass(const Deck& deck, const System& system) {
     for (Eigen::Index i = axis; i < n; i += 6) {
       if (!deck.grids[static_cast<std::size_t>(i / 6)].scalar) rigid(i) = 1.0;
     }
-    largest = std::max(largest, rigid.dot(system.M * rigid));
+    largest = std::max(largest, rigid.dot(M * rigid));
   }
   return largest;
 }

@@ -35,5 +35,7 @@ namespace tapfit::structure {
 
 /// Total mass in translation [kg].
 [[nodiscard]] double total_mass(const Deck& deck, const System& system);
+/// The same of a part of it, M over all degrees of freedom.
+[[nodiscard]] double total_mass(const Deck& deck, const SparseMatrix& M);
 
 }  // namespace tapfit::structure
