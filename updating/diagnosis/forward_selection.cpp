@@ -331,6 +331,27 @@ Fit ForwardSelection::unite(Fit fit,
   return fit;
 }
 
+// A crack in a mesh is stiffer around its tip than a real one, a clamp's edge
+// softer: a loss beside it is its own.
+// @param rest the fit without it
+bool ForwardSelection::is_part_of_another(const Fit& fit,
+                                          std::size_t k,
+                                          const Fit& rest,
+                                          const Progress& progress) const {
+  const structure::Deck& deck = *fitter_->problem().context.deck;
+  const double floor = told_floor(rest, fitter_->target(), options_);
+  if (rest.result.error > at_floor * floor) return false;
+  for (std::size_t j = 0; j < fit.effects.size(); ++j) {
+    if (j == k || !give_way_together(fit.effects[k], fit.effects[j], deck)) {
+      continue;
+    }
+    // Of the two the one goes that does less.
+    if (j < k) return true;
+    return rest.result.error <= without_one(fit, j, progress).result.error;
+  }
+  return false;
+}
+
 Fit ForwardSelection::prune(Fit fit,
                             std::size_t already,
                             double data,
@@ -347,7 +368,8 @@ Fit ForwardSelection::prune(Fit fit,
     const double gain = log_gain(evidence(fit, own, places, data, noise),
                                  evidence(rest, 0.0, 1.0, data, noise),
                                  fit.result.error / rest.result.error);
-    if (gain < very_strong || !is_told(fit, k)) {
+    if (gain < very_strong || !is_told(fit, k) ||
+        is_part_of_another(fit, k, rest, progress)) {
       fit = std::move(rest);
       chosen.erase(chosen.begin() + static_cast<std::ptrdiff_t>(k - already));
     } else {

@@ -85,7 +85,8 @@ class ForwardSelection {
                           std::vector<SelectedEffect>& chosen,
                           const Progress& progress) const;
 
-  /// Takes effects off that the others have made superfluous.
+  /// Takes effects off that the others have made superfluous, and of two that
+  /// give way at one place the one without which the error is at the floor.
   [[nodiscard]] Fit prune(Fit fit,
                           std::size_t already,
                           double data,
@@ -104,6 +105,10 @@ class ForwardSelection {
   [[nodiscard]] Fit with_last(const Fit& fit,
                               std::size_t k,
                               const Progress& progress) const;
+  [[nodiscard]] bool is_part_of_another(const Fit& fit,
+                                        std::size_t k,
+                                        const Fit& rest,
+                                        const Progress& progress) const;
   [[nodiscard]] bool is_likelier(const Fit& united, const Fit& apart) const;
   [[nodiscard]] Fit without_one(const Fit& fit,
                                 std::size_t k,

@@ -1,6 +1,7 @@
 #include "updating/diagnosis/stepwise_selection.hpp"
 
 #include "updating/diagnosis/candidate.hpp"
+#include "updating/diagnosis/classify_diagnosis.hpp"
 #include "updating/diagnosis/evidence.hpp"
 #include "updating/diagnosis/made_fit.hpp"
 #include "updating/fit/overall_progress.hpp"
@@ -32,6 +33,15 @@ std::vector<Candidate> candidates_of(const CandidateRanking& round,
     result.push_back(std::move(c));
   }
   return result;
+}
+
+// The same effects at the same places.
+bool are_alike(const std::vector<EffectInstance>& some,
+               const std::vector<EffectInstance>& others) {
+  return std::ranges::is_permutation(
+      some, others, [](const EffectInstance& a, const EffectInstance& b) {
+        return a.effect == b.effect && a.where == b.where;
+      });
 }
 
 }  // namespace
@@ -132,8 +142,7 @@ bool StepwiseSelection::try_to_add(bool first,
     if (without_second_) return false;
     auto moved = with_others_moved(round, rest);
     if (!moved) return false;
-    add(*std::move(moved), round.data, rest);
-    return true;
+    return add(*std::move(moved), round.data, rest);
   }
   without_second_.reset();  // of one before: a second followed
   if (best != 0 && leader.earned() && is_told(leads)) {
@@ -153,23 +162,25 @@ bool StepwiseSelection::try_to_add(bool first,
     more.fit =
         search_.relocate(std::move(more.fit), already_, more.chosen, rest);
   }
-  add(std::move(more), round.data, rest);
-  return true;
+  return add(std::move(more), round.data, rest);
 }
 
-void StepwiseSelection::add(Stand more, double data, const Progress& progress) {
+bool StepwiseSelection::add(Stand more, double data, const Progress& progress) {
+  more.fit =
+      search_.prune(std::move(more.fit), already_, data, more.chosen, progress);
+  if (are_alike(more.fit.effects, stand_.fit.effects)) return false;
   stand_ = std::move(more);
-  stand_.fit = search_.prune(
-      std::move(stand_.fit), already_, data, stand_.chosen, progress);
   stand_.held_out =
       fitter_->held_out_error(stand_.fit, held_out_folds, progress);
+  return true;
 }
 
 std::optional<StepwiseSelection::Stand> StepwiseSelection::with_others_moved(
     const CandidateRanking& round, const Progress& progress) const {
   constexpr std::size_t kinds_tried = 3;
   const double before = stand_.fit.result.error;
-  if (stand_.chosen.empty() || before <= at_floor * told_floor()) return {};
+  const double floor = told_floor(stand_.fit, fitter_->target(), options_);
+  if (stand_.chosen.empty() || before <= at_floor * floor) return {};
   std::set<const effects::Effect*> kinds;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     const Hypothesis& h = round.hypotheses[k];

@@ -93,7 +93,8 @@ class StepwiseSelection {
   // @return nothing where there is none
   [[nodiscard]] std::optional<Stand> with_others_moved(
       const CandidateRanking& round, const Progress& progress) const;
-  void add(Stand more, double data, const Progress& progress);
+  // @return false where it comes to what there is
+  bool add(Stand more, double data, const Progress& progress);
   [[nodiscard]] FormShare form_of(const Fit& fit) const {
     return form_share(fit, fitter_->target(), options_.floor_noise);
   }
@@ -104,16 +105,13 @@ class StepwiseSelection {
   [[nodiscard]] bool leaves_much(const Fit& fit) const {
     return form_of(fit).left > clear_of_floor * options_.floor;
   }
-  // As it is told: with all that the form may have, not the usual alone.
-  [[nodiscard]] double told_floor() const {
-    return std::hypot(options_.floor, form_of(current()).error);
-  }
   // Where the verdict would have to say so.
   [[nodiscard]] bool is_left_unexplained() const {
-    return leaves_much(current()) && is_unexplained(current().result.error,
-                                                    told_floor(),
-                                                    base_error_,
-                                                    !chosen().empty());
+    return leaves_much(current()) &&
+           is_unexplained(current().result.error,
+                          told_floor(current(), fitter_->target(), options_),
+                          base_error_,
+                          !chosen().empty());
   }
 
   const Fitter* fitter_;

@@ -70,6 +70,39 @@ double change_of_modes(const Fit& fit, std::size_t k) {
   return std::sqrt((change - change.mean()).square().mean());
 }
 
+// Grids of the elements for which a test holds.
+std::set<int> grids_of(const structure::Deck& deck, const auto& holds) {
+  std::set<int> grids;
+  const auto take = [&](const auto& all) {
+    for (const auto& element : all) {
+      if (!holds(element)) continue;
+      grids.insert(element.grids.begin(), element.grids.end());
+    }
+  };
+  take(deck.shells);
+  take(deck.bars);
+  take(deck.rods);
+  take(deck.solids);
+  return grids;
+}
+
+std::set<int> grids_at(const Location& where, const structure::Deck& deck) {
+  const std::set<int> elements(where.elements.begin(), where.elements.end());
+  std::set<int> grids = grids_of(
+      deck, [&](const auto& element) { return elements.contains(element.id); });
+  grids.insert(where.nodes.begin(), where.nodes.end());
+  return grids;
+}
+
+// With those that an element joins to them.
+std::set<int> grids_around(const std::set<int>& grids,
+                           const structure::Deck& deck) {
+  return grids_of(deck, [&](const auto& element) {
+    return std::ranges::any_of(element.grids,
+                               [&](int id) { return grids.contains(id); });
+  });
+}
+
 bool any_size_is_told(const Fit& fit, std::size_t k) {
   const ModelState& state = fit.result.state;
   Eigen::Index at =
@@ -97,6 +130,22 @@ bool is_told_by_size(const Fit& fit, std::size_t k) {
 bool is_told(const Fit& fit, std::size_t k) {
   return is_told_by_size(fit, k) ||
          change_of_modes(fit, k) > middle_tau * fit.form.allowance;
+}
+
+bool give_way_together(const EffectInstance& one,
+                       const EffectInstance& other,
+                       const structure::Deck& deck) {
+  if (!gives_way(*one.effect) || !gives_way(*other.effect)) return false;
+  const std::set<int> grids = grids_around(grids_at(one.where, deck), deck);
+  return std::ranges::any_of(grids_at(other.where, deck),
+                             [&](int id) { return grids.contains(id); });
+}
+
+double told_floor(const Fit& fit,
+                  const Target& target,
+                  const DiagnoseOptions& options) {
+  return std::hypot(options.floor,
+                    form_share(fit, target, options.floor_noise).error);
 }
 
 Floor floor_of(const Fit& fit,

@@ -50,6 +50,13 @@ struct Worth {
   return is_told(fit, fit.effects.size() - 1);
 }
 
+/// Whether two effects that make something give way are no more than an element
+/// apart: what gives way at one place is one effect, and a deck is wrong in
+/// form around it.
+[[nodiscard]] bool give_way_together(const EffectInstance& one,
+                                     const EffectInstance& other,
+                                     const structure::Deck& deck);
+
 /// What is left where nothing is missing.
 struct Floor {
   double whole = 0.0;  ///< of noise, mesh and a careful deck's form
@@ -60,6 +67,12 @@ struct Floor {
 [[nodiscard]] Floor floor_of(const Fit& fit,
                              const Target& target,
                              const DiagnoseOptions& options);
+
+/// As it is told of a fit: with all that the form may have, not the usual
+/// alone.
+[[nodiscard]] double told_floor(const Fit& fit,
+                                const Target& target,
+                                const DiagnoseOptions& options);
 
 /// @param error of a fit, as everywhere below
 [[nodiscard]] bool is_at_floor(double error, const Floor& floor);

@@ -1,11 +1,14 @@
 #include "updating/diagnosis/worth.hpp"
 
 #include "tests/updating/support/hidden_in_plate.hpp"
+#include "tests/updating/support/sample_plate.hpp"
 #include "updating/catalogue/catalogue.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 namespace tapfit::updating {
 namespace {
@@ -37,6 +40,28 @@ TEST(AnUnexplainedError, IsFarAboveFloorAndBase) {
   EXPECT_TRUE(is_unexplained(0.11, 0.01, 1.0, true));
   // A base worse than no answer at all lends no explanation.
   EXPECT_TRUE(is_unexplained(0.2, 0.01, 50.0, true));
+}
+
+// Grids 1 + i + 11 j of ten by four shells, numbered alike.
+TEST(WhatGivesWay, IsOneWhereAnElementJoinsIt) {
+  const structure::Deck deck = support::plate_deck(true);
+  const auto loss = [](std::vector<int> elements) {
+    Location where;
+    where.elements = std::move(elements);
+    return EffectInstance{&effects::find("stiffness-loss"), where, {0.5}};
+  };
+  Location line;
+  line.nodes = {5, 16, 27};
+  const EffectInstance joint{&effects::find("joint"), line, {1e6}};
+  Location grid;
+  grid.node = 16;
+  const EffectInstance mass{&effects::find("added-mass"), grid, {0.1}};
+  EXPECT_TRUE(give_way_together(joint, loss({14}), deck));  // 16 is a corner
+  EXPECT_TRUE(give_way_together(loss({14}), joint, deck));
+  EXPECT_TRUE(give_way_together(joint, loss({16}), deck));  // 17 is next
+  EXPECT_TRUE(give_way_together(loss({16}), joint, deck));
+  EXPECT_FALSE(give_way_together(joint, loss({17}), deck));  // from 18 on
+  EXPECT_FALSE(give_way_together(joint, mass, deck));
 }
 
 class ToldFromNone : public support::HiddenInPlate {
