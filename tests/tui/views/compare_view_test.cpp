@@ -1,5 +1,6 @@
 #include "tui/views/compare_view.hpp"
 
+#include "tests/tui/support/canvases.hpp"
 #include "tests/tui/support/fake_results.hpp"
 #include "tests/tui/support/holds.hpp"
 #include "tui/widgets/mac_map.hpp"
@@ -11,8 +12,6 @@
 
 namespace tapfit::tui {
 namespace {
-
-const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
 
 TEST(CompareView, ShowsErrorFloorPairsAndMap) {
   const updating::Comparison c = testing::fake_comparison(0.05);

@@ -1,5 +1,6 @@
 #include "tui/views/update_view.hpp"
 
+#include "tests/tui/support/canvases.hpp"
 #include "tests/tui/support/fake_results.hpp"
 #include "tests/tui/support/holds.hpp"
 #include "tui/views/update_panels.hpp"
@@ -9,8 +10,6 @@
 
 namespace tapfit::tui {
 namespace {
-
-const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
 
 TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   const signal::FrfSet frfs = testing::fake_frfs();

@@ -1,4 +1,5 @@
 // Views from hand-made results: the numbers shown are the results' numbers.
+#include "tests/tui/support/canvases.hpp"
 #include "tests/tui/support/fake_workbench.hpp"
 #include "tests/tui/support/holds.hpp"
 #include "tui/screen/text.hpp"
@@ -17,8 +18,6 @@
 
 namespace tapfit::tui {
 namespace {
-
-const std::vector<Canvas> sizes{{80, 21, false}, {120, 32, false}};
 
 std::vector<Trace> traces() {
   std::vector<Trace> all;
