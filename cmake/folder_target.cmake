@@ -28,11 +28,11 @@ function(compile_together target)
 endfunction()
 
 # One library per folder: tapfit_folder(signal DEPENDS acquisition).
-# Every .cpp below the folder belongs to it.
+# Every .cpp below the folder belongs to it but those of the program alone.
 function(tapfit_folder name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;PRIVATE" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/main\\.cpp$")
+  list(FILTER sources EXCLUDE REGEX "/(main|processor_check)\\.cpp$")
   if(NOT sources)
     file(TOUCH ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
     set(sources ${CMAKE_CURRENT_BINARY_DIR}/empty.cpp)
