@@ -4,10 +4,10 @@
 #include "acquisition/foundation/reuse_memory.hpp"
 #include "tui/app/app.hpp"
 #include "tui/commands/command_line.hpp"
+#include "tui/options/csv_table.hpp"
 #include "tui/options/exit_status.hpp"
 #include "tui/options/progress_line.hpp"
 #include "tui/options/standard_streams.hpp"
-#include "tui/report/csv_table.hpp"
 #include "updating/export/outside_files.hpp"
 
 #include <fmt/format.h>

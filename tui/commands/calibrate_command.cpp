@@ -2,6 +2,7 @@
 #include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/finding_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/session/session.hpp"
 
@@ -36,11 +37,9 @@ std::string calibrate_command(const CommandOptions& options,
                percent(c.deviation)});
   }
   if (options.json) {
-    return nlohmann::ordered_json{
-               {"calibration", list},
-               {"findings", findings_json(session.bundle(), findings)}}
-               .dump(2) +
-           "\n";
+    return json_text(nlohmann::ordered_json{
+        {"calibration", list},
+        {"findings", findings_json(session.bundle(), findings)}});
   }
   return fmt::format("Accelerance times {:g} kg, which is 1 for a fair chain\n",
                      options.mass_kg) +

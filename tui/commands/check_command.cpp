@@ -2,6 +2,7 @@
 #include "signal/checks/frf_quality.hpp"
 #include "tui/commands/commands.hpp"
 #include "tui/report/finding_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/point_places.hpp"
 #include "tui/report/text_table.hpp"
 #include "tui/views/frf_checks_view.hpp"
@@ -256,7 +257,7 @@ std::string check_command(const CommandOptions& options,
   if (options.json) {
     ordered_json json = json_of(bundle, frfs, found);
     if (found.placed > 0) add_point_places(session.deck(progress), json);
-    return json.dump(2) + "\n";
+    return json_text(json);
   }
   std::string text = findings_text(found.findings);
   if (!found.records.empty()) text += channels_text(bundle, found);

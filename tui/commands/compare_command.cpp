@@ -2,6 +2,7 @@
 
 #include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/point_places.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/report/text_table.hpp"
@@ -225,7 +226,7 @@ std::string compare_command(const CommandOptions& options,
     json["reduced_base_error"] = session.base_error(progress);
     add_point_places(session.deck(progress), json);
     json["warnings"] = warnings;
-    return json.dump(2) + "\n";
+    return json_text(json);
   }
   std::string text = compare_text(comparison, frfs, dofs);
   if (!session.bundle().modes) {

@@ -4,6 +4,7 @@
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/ladder_text.hpp"
 #include "tui/report/robustness_output.hpp"
 #include "tui/report/text_table.hpp"
@@ -246,7 +247,7 @@ std::string diagnose_command(const CommandOptions& options,
   if (options.robustness) {
     json["robustness"] = robustness_json(diagnosis.robustness);
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace tapfit::tui

@@ -2,6 +2,7 @@
 
 #include "tui/commands/commands.hpp"
 #include "tui/options/library_versions.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/screen/text.hpp"
 
 #include <fmt/format.h>
@@ -247,8 +248,7 @@ std::vector<HealthCheck> health_checks(const Surroundings& here,
 std::string doctor_command(const CommandOptions& options, const Progress&) {
   const std::vector<HealthCheck> checks =
       health_checks(look_around(), read_settings(settings_file()));
-  return options.json ? doctor_json(checks).dump(2) + "\n"
-                      : doctor_text(checks);
+  return options.json ? json_text(doctor_json(checks)) : doctor_text(checks);
 }
 
 }  // namespace tapfit::tui

@@ -2,6 +2,7 @@
 #include "acquisition/uff/write_uff_geometry.hpp"
 #include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/export/measured_uff.hpp"
 #include "updating/export/shapes_vtu.hpp"
 #include "updating/export/updated_deck.hpp"
@@ -110,7 +111,7 @@ std::string export_command(const CommandOptions& options,
   if (options.json) {
     ordered_json json{{"written", written}};
     if (options.deck) json["cards"] = cards_json(cards);
-    return json.dump(2) + "\n";
+    return json_text(json);
   }
   std::string text;
   for (const auto& file : written) text += "written: " + file + "\n";

@@ -6,6 +6,7 @@
 #include "signal/mass_removal/named_masses.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/frf_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/export/point_geometry.hpp"
 
@@ -135,7 +136,7 @@ std::string free_masses(updating::Session& session,
   if (options.uff) {
     write_free_ones(freed, session, options);
   }
-  return options.json ? freed_json(frfs, freed, loaded.masses).dump(2) + "\n"
+  return options.json ? json_text(freed_json(frfs, freed, loaded.masses))
                       : freed_text(frfs, freed, loaded.masses);
 }
 

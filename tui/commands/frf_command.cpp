@@ -5,6 +5,7 @@
 #include "tui/options/open_bundle.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/export/point_geometry.hpp"
 #include "updating/session/session.hpp"
 
@@ -108,7 +109,7 @@ std::string frf_command(const CommandOptions& options,
                            updating::point_geometry(session));
   }
   if (options.json) {
-    return with_block(frf_json(frfs, form), session, progress).dump(2) + "\n";
+    return json_text(with_block(frf_json(frfs, form), session, progress));
   }
   return frf_text(frfs, form) + block_text(session, progress);
 }

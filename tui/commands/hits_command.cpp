@@ -2,6 +2,7 @@
 #include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/hits_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/session/session.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,7 +17,7 @@ std::string hits_command(const CommandOptions& options,
            session.bundle(), session.recordings(progress), hits, {})) {
     hits.statements.push_back(std::move(said));
   }
-  return options.json ? hits_json(session.bundle(), hits).dump(2) + "\n"
+  return options.json ? json_text(hits_json(session.bundle(), hits))
                       : hits_text(session.bundle(), hits);
 }
 

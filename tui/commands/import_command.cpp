@@ -2,6 +2,7 @@
 #include "acquisition/import/import_recordings.hpp"
 #include "acquisition/import/propose_import.hpp"
 #include "tui/commands/commands.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/export/output_rule_of_folder.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 
@@ -143,8 +144,9 @@ acquisition::ImportOptions options_of(const CommandOptions& options) {
   return result;
 }
 
-std::string json_text(const acquisition::TestBundle& bundle,
-                      const acquisition::ImportProposal& proposal) {
+nlohmann::ordered_json bundle_json(
+    const acquisition::TestBundle& bundle,
+    const acquisition::ImportProposal& proposal) {
   nlohmann::ordered_json json{{"bundle", bundle.folder.string()},
                               {"runs", bundle.runs.size()},
                               {"found", proposal.found},
@@ -155,7 +157,7 @@ std::string json_text(const acquisition::TestBundle& bundle,
                                {"option", assumed.option},
                                {"field", assumed.field}});
   }
-  return json.dump(2) + "\n";
+  return json;
 }
 
 std::string channel_lines(const acquisition::TestBundle& bundle) {
@@ -223,7 +225,7 @@ std::string import_command(const CommandOptions& options,
   }
   const auto bundle =
       acquisition::import_recordings(proposal.options, progress);
-  return options.json ? json_text(bundle, proposal)
+  return options.json ? json_text(bundle_json(bundle, proposal))
                       : plain_text(bundle, proposal);
 }
 

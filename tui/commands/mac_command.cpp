@@ -4,6 +4,7 @@
 #include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/read_modes_file.hpp"
 #include "tui/commands/commands.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "tui/workbench/pair_words.hpp"
 
@@ -237,7 +238,7 @@ std::string mac_command(const CommandOptions& options, const Progress&) {
   }
   const modal::ModeSet second =
       options.other ? modal::read_modes_file(*options.other) : first;
-  if (options.json) return mac_json(first, second, by_hand).dump(2) + "\n";
+  if (options.json) return json_text(mac_json(first, second, by_hand));
   return mac_text(first, second, by_hand);
 }
 

@@ -1,6 +1,7 @@
 #include "acquisition/bundle/read_test_bundle.hpp"
 #include "acquisition/bundle/test_bundle.hpp"
 #include "tui/commands/commands.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/structure/assembly/assemble.hpp"
@@ -98,8 +99,7 @@ std::string model_command(const CommandOptions& options,
   const structure::Deck deck = read_any_model(options);
   progress("solving for modes", 0.3);
   const ModelSummary summary = summarise(deck, options.modes, progress.stop);
-  return options.json ? model_json(summary).dump(2) + "\n"
-                      : model_text(summary);
+  return options.json ? json_text(model_json(summary)) : model_text(summary);
 }
 
 }  // namespace tapfit::tui

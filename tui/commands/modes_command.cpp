@@ -8,6 +8,7 @@
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/diagram_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/modes_text.hpp"
 #include "updating/export/point_geometry.hpp"
 #include "updating/session/session.hpp"
@@ -119,7 +120,7 @@ std::string modes_command(const CommandOptions& options,
   if (options.json) {
     ordered_json json = modes_json(modes, channels);
     json["fit"] = fracs_json(frfs, modes);
-    return json.dump(2) + "\n";
+    return json_text(json);
   }
   std::string text = modes_text(modes, channels) + fracs_text(frfs, modes);
   if (told.diagram && frfs.lines() > 1) {

@@ -3,6 +3,7 @@
 #include "tui/commands/prediction_output.hpp"
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/export/outside_files.hpp"
 #include "updating/export/point_geometry.hpp"
 #include "updating/session/add_diagnosed.hpp"
@@ -121,7 +122,7 @@ std::string predict_command(const CommandOptions& options,
   for (const std::string& odd : input_warnings(session)) {
     json["warnings"].push_back(odd);
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace tapfit::tui

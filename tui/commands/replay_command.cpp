@@ -8,6 +8,7 @@
 #include "tui/options/standard_streams.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/hits_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/export/point_geometry.hpp"
 
 #include <fmt/format.h>
@@ -72,7 +73,7 @@ std::string replay_command(const CommandOptions& options,
   }
   nlohmann::ordered_json json = hits_json(bundle, result.hits);
   json["frf"] = frf_json(result.frfs);
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace tapfit::tui

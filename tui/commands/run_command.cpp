@@ -6,6 +6,7 @@
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/frf_text.hpp"
 #include "tui/report/hits_text.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/modes_text.hpp"
 #include "updating/session/session.hpp"
 
@@ -43,7 +44,7 @@ std::string whole_json(updating::Session& session,
         options.input,
         with_input_warnings(session.diagnosis(progress), session));
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 std::string run_text(updating::Session& session, const Progress& progress) {

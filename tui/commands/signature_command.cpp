@@ -1,6 +1,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/commands/commands.hpp"
 #include "tui/options/open_bundle.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/localisation/signature.hpp"
 #include "updating/session/session.hpp"
@@ -102,7 +103,7 @@ std::string signature_command(const CommandOptions& options,
   updating::Session session = open_bundle(options.input);
   if (options.node == 0) {
     const auto map = session.localisation_map(progress);
-    return options.json ? localisation_map_json(map).dump(2) + "\n"
+    return options.json ? json_text(localisation_map_json(map))
                         : localisation_map_text(map);
   }
   const updating::Signature signature =
@@ -114,7 +115,7 @@ std::string signature_command(const CommandOptions& options,
         "signature",
         "choose a grid that the model does not hold there");
   }
-  return options.json ? signature_json(signature).dump(2) + "\n"
+  return options.json ? json_text(signature_json(signature))
                       : signature_text(signature);
 }
 

@@ -7,6 +7,7 @@
 #include "acquisition/uff/uff_systems.hpp"
 #include "acquisition/uff/uff_units.hpp"
 #include "tui/commands/commands.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 
 #include <fmt/format.h>
@@ -207,7 +208,7 @@ std::string uff_command(const CommandOptions& options,
   }
   const Contents found =
       file.bytes.reading([&] { return contents_of(file, progress); });
-  return options.json ? json_of(found).dump(2) + "\n" : text_of(found);
+  return options.json ? json_text(json_of(found)) : text_of(found);
 }
 
 }  // namespace tapfit::tui

@@ -7,6 +7,7 @@
 #include "tui/options/hand_choices.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/update_output.hpp"
 #include "updating/diagnosis/named_diagnosis.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
@@ -94,7 +95,7 @@ std::string update_command(const CommandOptions& options,
     nlohmann::ordered_json json =
         diagnosis_json(options.input, with_input_warnings(diagnosis, session));
     json["updates"] = updates_json(records);
-    return json.dump(2) + "\n";
+    return json_text(json);
   }
   return pairs_text(session.comparison(progress).pairs) +
          updates_text(records) +

@@ -1,5 +1,6 @@
 #include "tui/document/html_document.hpp"
 
+#include "acquisition/foundation/utf8.hpp"
 #include "tui/document/markup_text.hpp"
 
 #include <fmt/format.h>
@@ -84,11 +85,11 @@ else addEventListener('afterprint',go);})();
 /// A text between quotes in a style sheet, which no tag can end.
 std::string css_string(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : acquisition::printable(text)) {
     if (c == '"' || c == '\\' || c == '<') {
       out += fmt::format("\\{:x} ", static_cast<int>(c));
     } else {
-      out += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+      out += c == '\n' || c == '\t' ? ' ' : c;
     }
   }
   return out;

@@ -1,5 +1,7 @@
 #include "tui/document/markdown_document.hpp"
 
+#include "acquisition/foundation/utf8.hpp"
+
 #include <fmt/format.h>
 
 #include <string_view>
@@ -10,12 +12,11 @@ namespace {
 /// What Markdown would take for markup, with a backslash; one line.
 std::string plain(std::string_view text) {
   std::string out;
-  for (const char c : text) {
+  for (const char c : acquisition::printable(text)) {
     if (std::string_view("\\`*_[]<>|#&").find(c) != std::string_view::npos) {
       out += '\\';
     }
-    const auto byte = static_cast<unsigned char>(c);
-    out += byte < 0x20 || byte == 0x7f ? ' ' : c;
+    out += c == '\n' || c == '\t' ? ' ' : c;
   }
   return out;
 }

@@ -1,11 +1,13 @@
 #include "tui/document/markup_text.hpp"
 
+#include "acquisition/foundation/utf8.hpp"
+
 namespace tapfit::tui {
 
 std::string escaped(std::string_view text) {
   std::string out;
   out.reserve(text.size());
-  for (const char c : text) {
+  for (const char c : acquisition::printable(text)) {
     switch (c) {
       case '&':
         out += "&amp;";
@@ -22,10 +24,8 @@ std::string escaped(std::string_view text) {
       case '\'':
         out += "&#39;";
         break;
-      default: {
-        const auto byte = static_cast<unsigned char>(c);
-        out += byte < 0x20 || byte == 0x7f ? ' ' : c;
-      }
+      default:
+        out += c == '\n' || c == '\t' ? ' ' : c;
     }
   }
   return out;

@@ -6,7 +6,8 @@
 
 namespace tapfit::tui {
 
-/// & < > " ' as entities; control characters, which neither allows, as spaces.
+/// & < > " ' as entities, line ends and tabs as spaces, and nothing that is not
+/// printable: what acquisition::printable makes of it.
 [[nodiscard]] std::string escaped(std::string_view text);
 
 }  // namespace tapfit::tui

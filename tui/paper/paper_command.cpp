@@ -2,6 +2,7 @@
 
 #include "signal/files/uff58.hpp"
 #include "tui/paper/paper_structures.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/export/output_rule_of.hpp"
 #include "updating/studies/truss_study.hpp"
 #include "updating/studies/wing_study.hpp"
@@ -67,9 +68,8 @@ std::string paper_command(const CommandOptions& options,
     all.push_back(paper_json(report));
     text += (text.empty() ? "" : "\n") + paper_text(report);
   }
-  return options.json
-             ? nlohmann::ordered_json{{"structures", all}}.dump(2) + "\n"
-             : text;
+  return options.json ? json_text(nlohmann::ordered_json{{"structures", all}})
+                      : text;
 }
 
 void add_paper_options(CLI::App& command, CommandOptions& options) {
@@ -79,8 +79,9 @@ void add_paper_options(CLI::App& command, CommandOptions& options) {
                   "truss, wing, frame; all where none is named")
       ->check(CLI::IsMember({"truss", "wing", "frame"}));
   command
-      .add_option(
-          "--recordings", options.input, "Folder of the bundles (recordings)")
+      .add_option("--recordings",
+                  options.input,
+                  "Folder of the bundles (those that come with the program)")
       ->type_name("FOLDER");
   command
       .add_option("--write",

@@ -2,6 +2,7 @@
 
 #include "tui/options/open_bundle.hpp"
 #include "tui/practice/revealed.hpp"
+#include "tui/report/json_text.hpp"
 #include "updating/practice/played.hpp"
 #include "updating/session/saved_session.hpp"
 #include "updating/session/session.hpp"
@@ -67,7 +68,7 @@ std::string reveal_command(const CommandOptions& options,
   const updating::VirtualBundleSpec hidden = hidden_in(it.truth);
   it.session = played(options.input, hidden, progress);
   it.diagnosis = diagnosed(session, hidden, progress);
-  return options.json ? revealed_json(options.input, it).dump(2) + "\n"
+  return options.json ? json_text(revealed_json(options.input, it))
                       : revealed_text(options.input, it);
 }
 

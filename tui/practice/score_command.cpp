@@ -1,9 +1,11 @@
 #include "tui/practice/score_command.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 #include "tui/options/own_answer.hpp"
 #include "tui/options/standard_streams.hpp"
 #include "tui/practice/verdict_output.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/practice/practice_case.hpp"
 #include "updating/practice/score_diagnosis.hpp"
@@ -16,7 +18,7 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <string>
@@ -103,17 +105,38 @@ std::string shard_fault(const std::string& text) {
                               "second of eight";
 }
 
+/// Whether it holds what is counted of a case.
+bool is_case(const ordered_json& c) {
+  const auto all_are = [&c](std::initializer_list<const char*> names,
+                            bool (*is)(const ordered_json&)) {
+    return std::ranges::all_of(names, [&](const char* name) {
+      return c.contains(name) && is(c.at(name));
+    });
+  };
+  return all_are({"hidden", "found"},
+                 [](const ordered_json& v) { return v.is_string(); }) &&
+         all_are({"right_kind", "right_place"},
+                 [](const ordered_json& v) { return v.is_boolean(); }) &&
+         all_are(
+             {"intervals", "intervals_hold"},
+             [](const ordered_json& v) { return v.is_number_unsigned(); }) &&
+         all_are({"size_error", "error", "floor"},
+                 [](const ordered_json& v) { return v.is_number(); });
+}
+
 ordered_json read_parts(const std::vector<std::string>& files) {
   ordered_json all = ordered_json::array();
   for (const std::string& file : files) {
-    std::ifstream in(file);
-    const ordered_json part = ordered_json::parse(in, nullptr, false);
-    if (!in || part.is_discarded() || !part.contains("cases")) {
+    const ordered_json part =
+        ordered_json::parse(acquisition::read_input(file), nullptr, false);
+    const auto cases = part.find("cases");
+    if (cases == part.end() || !cases->is_array() ||
+        !std::ranges::all_of(*cases, is_case)) {
       throw InputError("cannot be read as a score",
                        file,
                        "give files that tapfit score --json printed");
     }
-    for (const ordered_json& c : part.at("cases")) all.push_back(c);
+    for (const ordered_json& c : *cases) all.push_back(c);
   }
   return all;
 }
@@ -217,7 +240,7 @@ int score_command(int argc, const char* const* argv, const Progress& progress) {
   const ordered_json cases = words.merge.empty() ? run_cases(words, progress)
                                                  : read_parts(words.merge);
   if (words.json) {
-    print(ordered_json{{"cases", cases}}.dump(2) + "\n");
+    print(json_text(ordered_json{{"cases", cases}}));
   } else {
     print(matrix_text(cases) + summary_text(cases));
   }

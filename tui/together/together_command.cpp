@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/options/hand_choices.hpp"
+#include "tui/report/json_text.hpp"
 #include "tui/together/together_output.hpp"
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/session/tests_together.hpp"
@@ -55,7 +56,7 @@ std::string together_command(const CommandOptions& options,
   }
   const updating::TestsTogether found =
       updating::fit_tests_together(sessions, names, choice, progress);
-  return options.json ? together_json(found, names).dump(2) + "\n"
+  return options.json ? json_text(together_json(found, names))
                       : together_text(found, names);
 }
 

@@ -89,7 +89,8 @@ TEST(Escaped, LeavesNoMarkup) {
 }
 
 TEST(Escaped, KeepsUtf8AndNoControlCharacters) {
-  EXPECT_EQ(escaped("± N·m\x01\n"), "± N·m  ");
+  EXPECT_EQ(escaped("± N·m\x01\n"), "± N·m? ");
+  EXPECT_EQ(escaped("cba\u202e\xff\x1b[31m"), "cba?ÿ?[31m");
 }
 
 TEST(HtmlDocument, EscapesEveryTextAndKeepsPictures) {

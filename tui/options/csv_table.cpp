@@ -1,4 +1,4 @@
-#include "tui/report/csv_table.hpp"
+#include "tui/options/csv_table.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/screen/csv_text.hpp"
