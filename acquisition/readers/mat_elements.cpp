@@ -24,6 +24,14 @@ std::uint32_t number_at(const unsigned char* at, bool little) {
   return value;
 }
 
+InputError damaged(const std::filesystem::path& file,
+                   Length at,
+                   const std::string& how) {
+  return {"is damaged: " + how,
+          fmt::format("{}, byte {}", file.string(), at),
+          "copy the file again, or save it anew"};
+}
+
 InputError ends_early(const std::filesystem::path& file,
                       Length at,
                       double announced,
@@ -94,8 +102,8 @@ struct Bounds {
   ArrayRoom room;
   const Progress& progress;
 
-  void pass(const Element& element) {
-    room.take("", numbers_in(element));
+  void pass(double numbers) {
+    room.take("", numbers);
     progress("reading", 0.0);
   }
 };
@@ -111,7 +119,7 @@ bool holds_what_it_says(PackedElements& bytes, bool little, Bounds& bounds) {
     if (at == 8) end = 8 + element.length;  // the outermost, around all others
     if (element.length > end - at) return false;
     if (element.type == matrix) continue;
-    bounds.pass(element);
+    bounds.pass(numbers_in(element));
     const Length step = std::min(element.padded(), end - at);
     if (!bytes.skip(step)) return false;
     at += step;
@@ -132,6 +140,8 @@ void walk_elements(std::ifstream& in,
     in.read(reinterpret_cast<char*>(tag.data()), tag.size());
     if (!in) return;
     const Element element(tag, little);
+    // A file that was never written to its end is zeros from there on.
+    if (element.type == 0) throw damaged(file, at, "nothing is stored there");
     const Length there = end - at - 8;
     if (element.length > there) {
       throw ends_early(file, at, static_cast<double>(element.length), there);
@@ -139,13 +149,11 @@ void walk_elements(std::ifstream& in,
     if (element.type == packed) {
       PackedElements bytes(in, element.length);
       if (!holds_what_it_says(bytes, little, bounds)) {
-        throw InputError("is damaged: what is packed there does not unpack",
-                         fmt::format("{}, byte {}", file.string(), at),
-                         "copy the file again, or save it anew");
+        throw damaged(file, at, "what is packed there does not unpack");
       }
       in.clear();
     } else {
-      bounds.pass(element);
+      bounds.pass(numbers_in(element));
     }
     at += 8;
     if (element.type == matrix) continue;  // its own elements come next
@@ -171,19 +179,21 @@ void walk_variables(std::ifstream& in,
     if (type > largest_type) type = number_at(header.data(), false);
     const std::size_t order = type / 1000;  // 0: little endian, 1: big
     const std::size_t width = type / 10 % 10;
-    if (type > largest_type || order > 1 || width >= widths.size()) {
-      throw no_mat_file(file);
-    }
     const auto number = [&](int k) {
       return number_at(header.data() + 4 * k, order == 0);
     };
+    // Each has a name, with a zero behind it.
+    if (type > largest_type || order > 1 || width >= widths.size() ||
+        number(4) == 0) {
+      throw no_mat_file(file);
+    }
     const double values = static_cast<double>(number(1)) * number(2) *
                           (number(3) != 0 ? 2.0 : 1.0);
     const double length = number(4) + values * widths.at(width);
     if (length > static_cast<double>(size - at - 20)) {
       throw ends_early(file, at, length, size - at - 20);
     }
-    bounds.room.take("", values);
+    bounds.pass(values);
     at += 20 + static_cast<Length>(length);
   }
 }

@@ -24,6 +24,7 @@ std::string_view trim(std::string_view text) {
 // Walks through the text line by line.
 struct Lines {
   std::string_view text;
+  const std::string& name;
   const std::function<void(std::string_view)>& passed;
   std::size_t at = 0;
   std::size_t told = 0;
@@ -37,7 +38,17 @@ struct Lines {
       passed(text.substr(told, at - told));
       told = at;
     }
-    return next_line(text, at);
+    // Records have 80 characters; the zeros of a file that was not written to
+    // its end are one line, maybe a terabyte of it.
+    constexpr std::size_t longest = 1 << 20;
+    const std::string_view near = text.substr(0, at + longest);
+    const std::string_view line = next_line(near, at);
+    if (at > near.size() && near.size() < text.size()) {
+      throw InputError(fmt::format("a line has more than {} bytes", longest),
+                       fmt::format("{}, line {}", name, number),
+                       "check that this is a universal file, and whole");
+    }
+    return line;
   }
 };
 
@@ -200,7 +211,7 @@ std::vector<UffDataset> split_uff(
     const std::string& name,
     const std::function<void(std::string_view)>& passed) {
   std::vector<UffDataset> datasets;
-  Lines lines{text, passed};
+  Lines lines{text, name, passed};
   while (!lines.done()) {
     if (!is_fence(lines.next())) continue;
     std::string_view header = lines.done() ? "" : lines.next();

@@ -79,6 +79,9 @@ TEST_F(Inputs, ThatAreNoRegularFilesAreRefusedAtOnce) {
         Place{"modes.json", "mac " + at("modes.json")},
         Place{"measured.uff", "frf " + at("")},
         Place{"measured.uff", "uff " + at("measured.uff")},
+        Place{"keys", at("") + " --keys " + at("keys")},
+        Place{"part.json", "score --merge " + at("part.json")},
+        Place{"acc.mat", "import " + at("acc.mat") + " -o " + at("acc")},
         Place{"K.mtx", "model " + at("") + " --modes 1"}}) {
     for (const Special& special : specials()) {
       SetUp();
@@ -118,9 +121,48 @@ TEST_F(Inputs, FilesBeyondTheirSizeAreRefused) {
   for (const char* file : {"test.json", "model.bdf"}) {
     SetUp();
     fs::resize_file(bundle_ / file, std::uintmax_t{1} << 40U);  // sparse
-    const ProgramResult result = run_bounded("compare " + at(""));
-    EXPECT_EQ(result.exit_status, 1) << file;
-    EXPECT_TRUE(holds(result.err, "the most that is read")) << result.err;
+    for (const char* command : {"compare", "model", "run"}) {
+      const ProgramResult result = run_bounded(command + (" " + at("")));
+      EXPECT_EQ(result.exit_status, 1) << file << command;
+      EXPECT_TRUE(holds(result.err, "the most that is read")) << result.err;
+    }
+  }
+  const fs::path deck = bundle_ / "alone.inp";
+  write_file(deck, "*NODE\n");
+  fs::resize_file(deck, std::uintmax_t{1} << 40U);
+  const ProgramResult result = run_bounded("model " + at("alone.inp"));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_TRUE(holds(result.err, "the most that is read")) << result.err;
+}
+
+// Bytes that a terminal obeys, that turn the direction of writing and that are
+// no UTF-8, in the folder's own name.
+TEST_F(Inputs, OfAnyNameAreToldInPlainText) {
+  const fs::path odd =
+      bundle_.parent_path() / fs::path("a\x1b[31m\x07\nb\u202e\xff\"<b>&");
+  fs::remove_all(odd);
+  fs::rename(bundle_, odd);
+  const fs::path report = odd / "r.html";
+  const std::string where = "'" + odd.string() + "'";
+  for (const std::string& command :
+       {"update " + where + " --json",
+        "predict " + where + " --effect added-mass@3=1kg --json",
+        "report " + where + " -o '" + report.string() + "'",
+        "report " + where + " -o '" + (odd / "r.md").string() + "'",
+        "session " + where}) {
+    const ProgramResult result = run_bounded(command);
+    const bool no_session = command.starts_with("session");
+    EXPECT_EQ(result.exit_status, no_session ? 1 : 0) << result.err;
+    if (command.ends_with("--json")) {
+      EXPECT_TRUE(json::accept(result.out)) << result.out;
+    }
+    std::string told = result.out + result.err;
+    if (command.starts_with("report")) {
+      told += read_file(command.ends_with("md'") ? odd / "r.md" : report);
+    }
+    for (const char* never : {"\x1b", "\x07", "\u202e", "b\xff"}) {
+      EXPECT_FALSE(holds(told, never)) << command;
+    }
   }
 }
 

@@ -1,10 +1,10 @@
 #include "tui/app/key_script.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/input_file.hpp"
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 #include <string>
 
@@ -66,15 +66,12 @@ std::vector<ScriptStep> parse_key_script(std::string_view text) {
 }
 
 std::vector<ScriptStep> read_key_script(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) {
+  if (!acquisition::open_input(file)) {
     throw InputError("the key script cannot be read",
                      file.string(),
                      "check the path and its permissions");
   }
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return parse_key_script(text.str());
+  return parse_key_script(acquisition::read_input(file));
 }
 
 }  // namespace tapfit::tui

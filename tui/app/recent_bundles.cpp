@@ -20,7 +20,10 @@ constexpr std::size_t most_kept = 12;
 std::optional<fs::path> list_file() {
   const auto folder = acquisition::cache_folder();
   if (!folder) return std::nullopt;
-  return *folder / "recent-bundles";
+  const fs::path file = *folder / "recent-bundles";
+  std::error_code fault;
+  const bool other = fs::exists(file, fault) && !fs::is_regular_file(file);
+  return other ? std::nullopt : std::optional(file);
 }
 
 /// Those that were opened, there or not.

@@ -1,6 +1,7 @@
 #include "acquisition/bundle/uff_file.hpp"
 
 #include "tests/acquisition/support/temporary_folder.hpp"
+#include "tests/support/matchers.hpp"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,15 @@ TEST(IsUff, ReadsNoMoreThanThat) {
   const std::chrono::duration<double> took =
       std::chrono::steady_clock::now() - begin;
   EXPECT_LT(took.count(), 0.5);
+}
+
+// As of a copy that was not finished; a terabyte takes minutes to look through.
+TEST(UffFile, OfZerosIsRefusedAtOnce) {
+  const testing::TemporaryFolder folder;
+  const auto file = folder.write("holes.uff", "    -1\n    58\n");
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);  // sparse
+  EXPECT_THAT([&] { (void)open_uff(file); },
+              Refuses("holes.uff, line 3: a line has more than"));
 }
 
 }  // namespace

@@ -173,6 +173,22 @@ TEST(MatFile, ItsVariablesAreHeldByMemoryTogether) {
               Refuses("more than memory holds"));
 }
 
+// A disk that was full, or a copy that was not finished, leaves holes: a
+// terabyte of them would be walked through for hours.
+TEST(MatFile, ThatIsZerosIsRefusedAtOnce) {
+  testing::TemporaryFolder folder;
+  const auto file = folder.path() / "zeros.mat";
+  const auto refused = [&] { (void)read_mat_arrays(file); };
+  std::ofstream(file, std::ios::binary).close();
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);
+  EXPECT_THAT(refused, Refuses("cannot be read as a MATLAB file"));
+  std::string header(124, ' ');  // of version 5
+  header += std::string("\0\1IM", 4);
+  std::ofstream(file, std::ios::binary) << header;
+  std::filesystem::resize_file(file, std::uintmax_t{1} << 40U);
+  EXPECT_THAT(refused, Refuses("nothing is stored there"));
+}
+
 TEST(NamedArrays, ShareTheRoomOfTheirFile) {
   const double half = 0.6 * most_matrix_bytes() / 24;  // of numbers in 3 places
   ArrayRoom room("run.mat");

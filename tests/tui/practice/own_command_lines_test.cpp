@@ -1,11 +1,14 @@
 // The commands that read their own command line: what is wrong with it is told
 // apart from what is wrong with the input.
+#include "acquisition/foundation/input_error.hpp"
 #include "tui/practice/score_command.hpp"
 #include "tui/practice/simulate_command.hpp"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -61,6 +64,26 @@ TEST(ScoreCommand, AShardThatIsNoneIsStatusTwo) {
         ran({"score", "--cases", "1", "--shard", shard}, score_command);
     EXPECT_EQ(result.status, 2) << shard;
     EXPECT_NE(result.err.find(shard), std::string::npos) << result.err;
+  }
+}
+
+TEST(ScoreCommand, PartsThatAreNoneAreRefusedByName) {
+  const fs::path part = fs::path(testing::TempDir()) / "tapfit-part.json";
+  for (const char* text : {"",
+                           "[]",
+                           "{}",
+                           R"({"cases": 5})",
+                           R"({"cases": [1]})",
+                           R"({"cases": [{}]})",
+                           R"({"cases": [{"hidden": 1, "found": "none"}]})"}) {
+    std::ofstream(part) << text;
+    try {
+      const std::array words{"score", "--merge", part.c_str()};
+      (void)score_command(3, words.data(), {});
+      ADD_FAILURE() << text;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.where(), part.string()) << text;
+    }
   }
 }
 

@@ -114,6 +114,7 @@ void read_part(DeckFile part,
 }  // namespace
 
 DeckSource read_deck_source(const std::filesystem::path& path) {
+  acquisition::check_input(path, max_deck_bytes);
   Reading reading;
   reading.deck.keywords = is_keyword_deck(path);
   reading.folder = path.parent_path();
