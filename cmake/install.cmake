@@ -30,7 +30,7 @@ install(DIRECTORY recordings
   DESTINATION ${pages} COMPONENT tapfit
   FILES_MATCHING PATTERN README.md)
 install(DIRECTORY examples
-  DESTINATION ${pages} COMPONENT libtapfit-dev)
+  DESTINATION ${pages} COMPONENT tapfit)
 
 # The numerical libraries: every header at the path it is included by, below a
 # root of their own, since signal/ must not stand beside <signal.h>.
@@ -75,12 +75,12 @@ set(CPACK_DEBIAN_TAPFIT_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_TAPFIT_PACKAGE_RECOMMENDS "libopenblas0-pthread")
 set(CPACK_DEBIAN_TAPFIT_DESCRIPTION
   "from hammer taps to a finite element model you can believe
- Reads impact tests of structures, identifies modes, compares them with a
- Nastran deck, and says which physical effect is missing from the model.")
+Reads impact tests of structures, identifies modes, compares them with a
+Nastran deck, and says which physical effect is missing from the model.")
 set(CPACK_DEBIAN_LIBTAPFIT-DEV_PACKAGE_NAME libtapfit-dev)
 set(CPACK_DEBIAN_LIBTAPFIT-DEV_PACKAGE_DEPENDS
-  "libeigen3-dev, libfmt-dev, libfftw3-dev, libsndfile1-dev, libmatio-dev, libhdf5-dev, zlib1g-dev, libssl-dev, nlohmann-json3-dev, libsuitesparse-dev")
+  "pkg-config, libeigen3-dev, libfmt-dev, libfftw3-dev, libsndfile1-dev, libmatio-dev, libhdf5-dev, zlib1g-dev, libssl-dev, nlohmann-json3-dev, libsuitesparse-dev")
 set(CPACK_DEBIAN_LIBTAPFIT-DEV_DESCRIPTION
   "numerical libraries of tapfit
- FRFs of impact tests, modal identification, finite element model updating.")
+FRFs of impact tests, modal identification, finite element model updating.")
 include(CPack)

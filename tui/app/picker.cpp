@@ -1,6 +1,7 @@
 #include "tui/app/picker.hpp"
 
 #include "tui/app/recent_bundles.hpp"
+#include "tui/options/recordings_folder.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/text.hpp"
 
@@ -46,15 +47,11 @@ std::vector<fs::path> paths_in(const fs::path& where) {
   return paths;
 }
 
-/// Beside the program as it is built, or as it is installed.
 std::optional<fs::path> find_demonstration() {
+  const fs::path found = recordings_folder() / "solar-panel-frame";
   std::error_code fault;
-  const fs::path home = fs::read_symlink("/proc/self/exe", fault).parent_path();
-  for (const fs::path& root : {home / "../..", home / "../share/tapfit"}) {
-    const fs::path found = root / "recordings" / "solar-panel-frame";
-    if (is_bundle(found)) return fs::weakly_canonical(found, fault);
-  }
-  return std::nullopt;
+  if (!is_bundle(found)) return std::nullopt;
+  return fs::weakly_canonical(found, fault);
 }
 
 void draw_keys(Screen& screen, int y) {

@@ -7,6 +7,7 @@
 #include "tui/options/library_versions.hpp"
 #include "tui/options/misspelt.hpp"
 #include "tui/options/option_groups.hpp"
+#include "tui/options/recordings_folder.hpp"
 #include "tui/options/terminal_options.hpp"
 #include "tui/paper/paper_command.hpp"
 #include "tui/practice/challenge_command.hpp"
@@ -229,7 +230,7 @@ void add_paper(CLI::App& app, Invocation& invocation) {
     invocation.name = "paper";
     invocation.command = paper_command;
     if (invocation.options.input.empty()) {
-      invocation.options.input = "recordings";
+      invocation.options.input = recordings_folder();
     }
   });
 }

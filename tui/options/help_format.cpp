@@ -1,5 +1,7 @@
 #include "tui/options/help_format.hpp"
 
+#include "tui/options/recordings_folder.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,8 +12,6 @@
 
 namespace tapfit::tui {
 namespace {
-
-constexpr std::string_view demonstration = "recordings/solar-panel-frame";
 
 std::string replaced(std::string text,
                      std::string_view what,
@@ -133,9 +133,12 @@ std::string example_of(const std::string& command) {
   }};
   const auto found = std::ranges::find(behind, command, &Pair::first);
   if (found == behind.end()) return {};
-  return fmt::format("Example:\n  tapfit {} {}",
-                     command,
-                     replaced(std::string(found->second), "{}", demonstration));
+  return fmt::format(
+      "Example:\n  tapfit {} {}",
+      command,
+      replaced(std::string(found->second),
+               "{}",
+               (recordings_folder() / "solar-panel-frame").string()));
 }
 
 }  // namespace tapfit::tui
