@@ -1,6 +1,7 @@
 #include "updating/export/updated_deck.hpp"
 
 #include "updating/structure/deck/deck.hpp"
+#include "updating/structure/edit/deck_cards.hpp"
 
 #include <gtest/gtest.h>
 
@@ -61,6 +62,12 @@ TEST(UpdatedDeck, WhatSitsBetweenGridsStandsOnAnArm) {
   EXPECT_TRUE(cards[1].starts_with("GRID,3,0,0.1")) << cards[1];
   EXPECT_EQ(cards[2], "RBE2,1,1,123456,3");
   EXPECT_TRUE(cards[3].starts_with("CONM2,2,3,")) << cards[3];
+}
+
+TEST(UpdatedDeck, AddedElementsTakeNoIdOfASolid) {
+  structure::Deck deck;
+  deck.solids.emplace_back().id = 7;
+  EXPECT_EQ(structure::free_element(deck, 0), 8);
 }
 
 }  // namespace

@@ -86,6 +86,7 @@ int free_element(const Deck& deck, int offset) {
   scan(deck.shells);
   scan(deck.bars);
   scan(deck.rods);
+  scan(deck.solids);
   scan(deck.masses);
   scan(deck.scalars);
   scan(deck.bushes);
