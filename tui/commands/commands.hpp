@@ -36,9 +36,9 @@ namespace tapfit::tui {
 /// --uff writes the measured FRFs and modes (datasets 58 and 55), --records the
 /// recordings (58b, or 58 with --text), both with the grids and lines of the
 /// model where there is one (2411, or 15 with --nodes 15, and 82); --deck the
-/// bulk data with the cards of the effects named by --effect (without any:
-/// those that the diagnosis supports); --vtu the shapes of the model with the
-/// effects named, and those measured.
+/// deck, in the style it came in, with the cards of the effects named by
+/// --effect (without any: those that the diagnosis supports); --vtu the shapes
+/// of the model with the effects named, and those measured.
 [[nodiscard]] std::string export_command(const CommandOptions& options,
                                          const Progress& progress);
 

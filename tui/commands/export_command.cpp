@@ -72,7 +72,7 @@ std::string export_command(const CommandOptions& options,
   updating::Session session = open_bundle(options);
   if (options.deck) {
     updating::check_has_deck(session);
-    updating::check_deck_name(*options.deck);
+    updating::check_deck_name(session.bundle(), *options.deck);
   }
   const acquisition::OutputRule rule = output_rule(session.bundle(), options);
   std::vector<std::string> written;

@@ -3,7 +3,11 @@
 namespace tapfit::tui {
 
 void add_export_options(CLI::App& command, CommandOptions& options) {
-  command.add_option("--deck,--bdf", options.deck, "Bulk data file to write")
+  command
+      .add_option("--deck,--bdf",
+                  options.deck,
+                  "Updated deck to write (.inp for one of Abaqus or "
+                  "CalculiX)")
       ->type_name("FILE");
   auto* records = command.add_option(
       "--records", options.records, "Universal file of the time records");

@@ -10,9 +10,7 @@
 #include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_property.hpp"
 #include "updating/structure/assembly/assemble.hpp"
-#include "updating/structure/edit/damping_table.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
-#include "updating/structure/edit/direct_matrix.hpp"
 #include "updating/structure/edit/move_elements.hpp"
 #include "updating/structure/edit/release_constraints.hpp"
 #include "updating/structure/edit/weaken_cards.hpp"
@@ -23,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <iterator>
 #include <system_error>
 #include <utility>
 
@@ -221,17 +218,13 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
   const structure::CardEdit rescale =
       structure::rescale_cards(cards.scales, done);
   UpdatedDeck result;
-  result.edited =
-      structure::edit_deck(deck.path,
-                           {structure::move_elements(written.moves, weak),
-                            weak.edit(cards.scales, done),
-                            rescale,
-                            structure::release_constraints(deck, released)});
+  result.changes =
+      structure::change_cards(deck.path,
+                              {structure::move_elements(written.moves, weak),
+                               weak.edit(cards.scales, done),
+                               rescale,
+                               structure::release_constraints(deck, released)});
   result.added = std::move(written.added);
-  const bool direct = std::ranges::any_of(result.added, [](const auto& card) {
-    return card.starts_with("DMIG,K2GG");
-  });
-  if (direct) structure::name_direct_stiffness("K2GG", result.edited);
   for (std::size_t k = 0; k < cards.scales.size(); ++k) {
     if (done[k]) continue;
     const Estimate& estimate = cards.estimates[k];
@@ -276,7 +269,8 @@ std::string mesh_note(const Comparison& comparison) {
 
 }  // namespace
 
-void check_deck_name(const std::filesystem::path& path) {
+void check_deck_name(const acquisition::TestBundle& bundle,
+                     const std::filesystem::path& path) {
   std::error_code fault;
   if (std::filesystem::exists(path, fault) &&
       !std::filesystem::is_regular_file(path, fault)) {
@@ -286,19 +280,18 @@ void check_deck_name(const std::filesystem::path& path) {
         path.string(),
         "name a file");
   }
-  if (path.extension() != ".inp") return;
-  throw InputError(
-      "decks are written as bulk data, also of an Abaqus or "
-      "CalculiX one",
-      path.string(),
-      "name the file .bdf or .dat");
+  const bool named = upper(path.extension().string()) == ".INP";
+  if (!named || !bundle.deck || as_keywords(*bundle.deck, path)) return;
+  throw InputError("the deck is bulk data and is written as it came",
+                   path.string(),
+                   "name the file .bdf or .dat");
 }
 
 WrittenDeck write_updated_deck(Session& session,
                                const std::filesystem::path& path,
                                const acquisition::OutputRule& rule,
                                const Progress& progress) {
-  check_deck_name(path);
+  check_deck_name(session.bundle(), path);
   const structure::Deck& deck = session.deck(progress);
   const Diagnosis named =
       diagnosis_of_named(session.ladder(progress),
@@ -309,15 +302,12 @@ WrittenDeck write_updated_deck(Session& session,
                                      named.candidates,
                                      named.model_parameters,
                                      session.model_form(progress));
-  std::ranges::move(
-      structure::damping_table_cards(structure::free_table(deck.path),
-                                     measured_damping(session.modes(progress))),
-      std::back_inserter(updated.added));
+  updated.damping = measured_damping(session.modes(progress));
   const Comparison& comparison = session.comparison(progress);
   if (comparison.floor_mesh > 0.0) {
     updated.added.push_back(mesh_note(comparison));
   }
-  return write_as_read(deck, std::move(updated), path, rule);
+  return write_as_read(deck, updated, path, rule);
 }
 
 }  // namespace tapfit::updating

@@ -36,9 +36,9 @@ namespace tapfit::updating {
     const std::vector<Estimate>& identified,
     const std::vector<ModelForm>& form = {});
 
-/// The updated deck, with the measured damping as a table (TABDMP1). Of a deck
-/// with INCLUDE files those in which cards change are written beside it, the
-/// others stay where they are.
+/// The updated deck, with the measured damping as a table (TABDMP1), or as
+/// comments where it is keywords. Of a deck with INCLUDE files those in which
+/// cards change are written beside it, the others stay where they are.
 ///
 /// @throws InputError for a bundle without a deck, a file that cannot be
 ///   written; Stopped
@@ -47,9 +47,10 @@ WrittenDeck write_updated_deck(Session& session,
                                const acquisition::OutputRule& rule,
                                const Progress& progress);
 
-/// @throws InputError for .inp: bulk data of that name would be read as another
-///   kind of deck; for a folder, a pipe or a device
-void check_deck_name(const std::filesystem::path& path);
+/// @throws InputError for .inp where the deck is bulk data, which would be read
+///   as another kind of deck; for a folder, a pipe or a device
+void check_deck_name(const acquisition::TestBundle& bundle,
+                     const std::filesystem::path& path);
 
 /// @throws InputError for a model given as matrices, which has no deck
 void check_has_deck(const Session& session);

@@ -1,21 +1,24 @@
-// An updated deck written as the files that it came in.
+// An updated deck written as the files, and in the style, that it came in.
 #pragma once
 
 #include "acquisition/foundation/output_rule.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/edit/edit_cards.hpp"
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace tapfit::updating {
 
-/// Lines of the deck with identified properties in their cards and released
+/// Cards of the deck with identified properties in them, and released
 /// components out of its constraints, and the cards to be added.
 struct UpdatedDeck {
-  structure::EditedDeck edited;
+  structure::CardChanges changes;
   std::vector<std::string> added;
+  /// As measured: frequency [Hz], ratio of critical.
+  std::vector<std::array<double, 2>> damping;
 };
 
 struct WrittenDeck {
@@ -23,14 +26,19 @@ struct WrittenDeck {
   std::vector<std::string> notes;            ///< what they do not hold, and why
 };
 
+/// Whether a deck is written as keywords: an Abaqus or CalculiX deck to a file
+/// named .inp. To another one it is written as bulk data.
+[[nodiscard]] bool as_keywords(const std::filesystem::path& deck,
+                               const std::filesystem::path& target);
+
 /// Of a deck with INCLUDE files those in which cards change are written beside
 /// the new deck, the others stay where they are. Where that cannot be, and of
-/// an Abaqus or CalculiX deck, all stands in one file of bulk data.
+/// keywords as bulk data, all stands in one file.
 ///
 /// @throws InputError where the rule does not let it, or something cannot be
 ///   written
 [[nodiscard]] WrittenDeck write_as_read(const structure::Deck& deck,
-                                        UpdatedDeck updated,
+                                        const UpdatedDeck& updated,
                                         const std::filesystem::path& path,
                                         const acquisition::OutputRule& rule);
 

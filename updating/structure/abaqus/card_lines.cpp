@@ -31,7 +31,7 @@ void add_vector(CardFields& fields, const Eigen::Vector3d& v) {
 }
 
 void CardLines::comment(const std::string& text, const Place& place) {
-  lines_.push_back({"$ " + text, place.where, place.number});
+  lines_.push_back({"$ " + text, place.where, place.number, place.index});
 }
 
 void CardLines::card(const Place& place,
@@ -52,7 +52,7 @@ void CardLines::card(const Place& place,
       text += fmt::format("{:<{}}", fields[k].text, width);
     }
     text.erase(text.find_last_not_of(' ') + 1);
-    lines_.push_back({std::move(text), place.where, place.number});
+    lines_.push_back({std::move(text), place.where, place.number, place.index});
   }
 }
 

@@ -60,13 +60,13 @@ void take_options(const std::string& text, Keyword& keyword) {
   }
 }
 
-Keyword begin_keyword(const PlacedLine& line, int step) {
+Keyword begin_keyword(const PlacedLine& line, std::size_t index, int step) {
   Keyword keyword;
   const std::string text = trimmed(line.text).substr(1);
   const std::size_t comma = std::min(text.find(','), text.size());
   keyword.shown = upper(with_single_blanks(text.substr(0, comma)));
   keyword.name = without_blanks(keyword.shown);
-  keyword.place = {line.where, line.number};
+  keyword.place = {line.where, line.number, index};
   keyword.step = step;
   if (comma < text.size()) take_options(text.substr(comma + 1), keyword);
   return keyword;
@@ -158,7 +158,7 @@ bool is_keyword_line(const std::string& text) {
 
 std::optional<std::string> included_by_keyword(const std::string& text) {
   if (!is_keyword_line(text)) return {};
-  const Keyword keyword = begin_keyword({text, "", 0}, 0);
+  const Keyword keyword = begin_keyword({text, "", 0}, 0, 0);
   if (keyword.name != "INCLUDE" || keyword.option("INPUT").empty()) return {};
   return keyword.options.at("INPUT");
 }
@@ -168,12 +168,14 @@ std::vector<Keyword> keyword_blocks(const std::vector<PlacedLine>& lines) {
   int steps = 0;
   int step = 0;
   bool open = false;  // the keyword goes on in the next line
-  for (const PlacedLine& line : lines) {
+  for (std::size_t index = 0; index < lines.size(); ++index) {
+    const PlacedLine& line = lines[index];
     const std::string text = trimmed(acquisition::printable(line.text));
     if (text.empty() || text.starts_with("**")) continue;
     const bool goes_on = open && !begins_with_number(text);
     if (is_keyword_line(text)) {
-      Keyword next = begin_keyword({text, line.where, line.number}, step);
+      Keyword next =
+          begin_keyword({text, line.where, line.number}, index, step);
       if (next.name == "STEP") step = next.step = ++steps;
       if (next.name == "ENDSTEP") step = steps + 1;
       blocks.push_back(std::move(next));
@@ -183,7 +185,7 @@ std::vector<Keyword> keyword_blocks(const std::vector<PlacedLine>& lines) {
       take_options(text, blocks.back());
     } else {
       blocks.back().lines.push_back(
-          {split(text), {line.where, line.number}, text.ends_with(',')});
+          {split(text), {line.where, line.number, index}, text.ends_with(',')});
     }
     open = (is_keyword_line(text) || goes_on) && text.ends_with(',');
   }

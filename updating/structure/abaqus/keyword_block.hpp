@@ -18,12 +18,15 @@ struct PlacedLine {
   std::string text;
   std::string where;  ///< "file:line"
   int number = 0;
+  /// Of a translated line: which of the deck's lines it comes from.
+  std::size_t origin = 0;
 };
 
 /// Where a line of the deck is.
 struct Place {
   std::string where;  ///< "file:line"
   int number = 0;
+  std::size_t index = 0;  ///< among all lines, INCLUDE files inlined
 };
 
 /// The fields between commas, without blanks around them.

@@ -100,10 +100,8 @@ TranslatedDeck translate_inp(const std::vector<PlacedLine>& lines) {
   TranslatedDeck result;
   result.lines = with_control(deck.cards.lines());
   result.left_out = left_out_of(deck);
-  result.warnings.push_back(
-      "an Abaqus or CalculiX deck, read as bulk data: what is written is bulk "
-      "data" +
-      ids_of_names(deck.named));
+  result.warnings.push_back("an Abaqus or CalculiX deck, read as bulk data" +
+                            ids_of_names(deck.named));
   result.warnings.insert(
       result.warnings.end(), deck.warnings.begin(), deck.warnings.end());
   return result;

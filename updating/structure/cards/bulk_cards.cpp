@@ -145,4 +145,14 @@ BulkData read_bulk_data(const std::filesystem::path& path) {
   return result;
 }
 
+std::vector<Card> cards_in(const std::vector<std::string>& lines) {
+  std::vector<Card> cards;
+  CardJoiner joiner(cards);
+  for (const std::string& line : lines) {
+    const std::string text = expand_tabs(without_comment(line));
+    if (!trimmed(text).empty()) joiner.add({text, "", 0, 0});
+  }
+  return cards;
+}
+
 }  // namespace tapfit::structure

@@ -48,4 +48,8 @@ struct BulkData {
 ///   follows nothing, a line with too many fields, an INCLUDE that goes round
 [[nodiscard]] BulkData read_bulk_data(const std::filesystem::path& path);
 
+/// The cards that lines of bulk data make, comments left out.
+/// @throws InputError as read_bulk_data()
+[[nodiscard]] std::vector<Card> cards_in(const std::vector<std::string>& lines);
+
 }  // namespace tapfit::structure

@@ -74,7 +74,12 @@ std::filesystem::path included(
 }
 
 std::vector<std::string> renamed_include(const std::string& text,
-                                         const std::string& name) {
+                                         const std::string& name,
+                                         bool keyword) {
+  if (keyword) {
+    const std::string quote = text.find('"') == std::string::npos ? "" : "\"";
+    return {text.substr(0, text.find('=') + 1) + quote + name + quote};
+  }
   const char quote = name.find('\'') == std::string::npos ? '\'' : '"';
   std::string rest = std::string("INCLUDE ") + quote + name + quote;
   std::vector<std::string> lines;

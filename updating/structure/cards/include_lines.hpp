@@ -34,9 +34,12 @@ bool complete_include(std::istream& file, std::string& text, int& number);
     const std::filesystem::path& main,
     const std::function<bool(const std::filesystem::path&)>& exists = {});
 
-/// INCLUDE lines for another file, in 72 columns where its folders let them.
+/// INCLUDE lines for another file; of bulk data in 72 columns where its folders
+/// let them.
 /// @param text of the old ones, put together; a comment behind it stays
+/// @param keyword whether it is *INCLUDE
 [[nodiscard]] std::vector<std::string> renamed_include(const std::string& text,
-                                                       const std::string& name);
+                                                       const std::string& name,
+                                                       bool keyword = false);
 
 }  // namespace tapfit::structure

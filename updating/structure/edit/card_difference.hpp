@@ -16,7 +16,8 @@ struct CardChange {
 };
 
 /// In the order of the first deck, what is new behind; cards that say the same
-/// in another format or place are none.
+/// in another format or place are none. Of two decks of keywords a card is a
+/// keyword with its options, or a line of its data.
 ///
 /// @throws InputError as read_bulk_data()
 [[nodiscard]] std::vector<CardChange> card_difference(

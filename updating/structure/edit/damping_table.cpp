@@ -43,4 +43,17 @@ std::vector<std::string> damping_table_cards(
   return cards;
 }
 
+std::vector<std::string> damping_comments(
+    const std::vector<std::array<double, 2>>& damping) {
+  if (damping.empty()) return {};
+  std::vector<std::string> lines{
+      "$ not written: the measured damping, which a step takes by *MODAL "
+      "DAMPING",
+      "$ frequency [Hz], ratio of critical"};
+  for (const auto& [hz, ratio] : damping) {
+    lines.push_back(fmt::format("$ {}, {}", card_real(hz), card_real(ratio)));
+  }
+  return lines;
+}
+
 }  // namespace tapfit::structure

@@ -22,4 +22,8 @@ namespace tapfit::structure {
 [[nodiscard]] std::vector<std::string> damping_table_cards(
     int id, const std::vector<std::array<double, 2>>& damping);
 
+/// The same as comments, for decks of keywords: *MODAL DAMPING stands in steps.
+[[nodiscard]] std::vector<std::string> damping_comments(
+    const std::vector<std::array<double, 2>>& damping);
+
 }  // namespace tapfit::structure

@@ -131,7 +131,8 @@ std::vector<std::string> names_for(const EditedLayout& layout,
 }
 
 // What is read of such lines.
-std::optional<std::string> name_read(const std::vector<std::string>& lines) {
+std::optional<std::string> name_read(const std::vector<std::string>& lines,
+                                     bool keywords) {
   std::stringstream stream;
   for (const std::string& line : lines) stream << line << '\n';
   std::string text;
@@ -141,7 +142,7 @@ std::optional<std::string> name_read(const std::vector<std::string>& lines) {
       number != static_cast<int>(lines.size())) {
     return std::nullopt;
   }
-  return include_name(text);
+  return keywords ? included_by_keyword(text) : include_name(text);
 }
 
 // An INCLUDE that leads to the file asked for.
@@ -150,8 +151,9 @@ std::optional<std::vector<std::string>> renamed(const EditedLayout& layout,
                                                 const FileAsked& asked,
                                                 const std::string& old) {
   for (const std::string& name : names_for(layout, asks, asked)) {
-    std::vector<std::string> lines = renamed_include(old, name);
-    const std::optional<std::string> read = name_read(lines);
+    const bool keywords = layout.source.keywords;
+    std::vector<std::string> lines = renamed_include(old, name, keywords);
+    const std::optional<std::string> read = name_read(lines, keywords);
     if (read && layout.places.leads(asks, *read, asked.file)) return lines;
   }
   return std::nullopt;
@@ -187,7 +189,7 @@ std::optional<std::string> file_text(const EditedLayout& layout,
       writer.add(*lines, original.end(at));
     }
   }
-  if (k == 0) writer.add(layout.behind, writer.usual());
+  if (k == 0) writer.add(layout.edited.behind, writer.usual());
   return std::move(writer.text());
 }
 

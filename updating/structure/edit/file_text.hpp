@@ -15,7 +15,6 @@ struct EditedLayout {
   EditedDeck edited;
   std::vector<EditedFile> files;
   FilePlaces places;
-  std::vector<std::string> behind;  ///< what comes last in the deck itself
 };
 
 /// Lines that are new end as the file's others do.

@@ -40,12 +40,13 @@ std::string along_own_axes(const Deck& deck, const Constraint& held) {
   return own;
 }
 
-}  // namespace
-
-std::vector<std::string> list_lines(std::string line,
+// In free field, eight fields to a line.
+std::vector<std::string> spc1_lines(int set,
+                                    const std::string& components,
                                     const std::vector<int>& grids) {
   std::vector<std::string> lines;
-  auto fields = std::ranges::count(line, ',');
+  std::string line = fmt::format("SPC1,{},{}", set, components);
+  int fields = 2;
   for (const int grid : grids) {
     if (fields == 8) {
       lines.push_back(line);
@@ -59,11 +60,7 @@ std::vector<std::string> list_lines(std::string line,
   return lines;
 }
 
-std::vector<std::string> spc1_lines(const std::string& set,
-                                    const std::string& components,
-                                    const std::vector<int>& grids) {
-  return list_lines(fmt::format("SPC1,{},{}", set, components), grids);
-}
+}  // namespace
 
 int constraint_set(const Deck& deck) {
   constexpr auto any_case = std::regex::icase;
@@ -89,7 +86,7 @@ std::vector<std::string> hold_cards(const Deck& deck,
         grid.grid,
         grid.components));
   }
-  const std::string set = std::to_string(constraint_set(deck));
+  const int set = constraint_set(deck);
   for (const auto& [components, grids] : alike) {
     for (std::string& line : spc1_lines(set, components, grids)) {
       cards.push_back(std::move(line));

@@ -8,18 +8,6 @@
 
 namespace tapfit::structure {
 
-/// A card in free field with grids behind its first fields, eight fields to a
-/// line.
-/// @param line the card's name and first fields
-[[nodiscard]] std::vector<std::string> list_lines(
-    std::string line, const std::vector<int>& grids);
-
-/// SPC1 of a set for grids.
-[[nodiscard]] std::vector<std::string> spc1_lines(
-    const std::string& set,
-    const std::string& components,
-    const std::vector<int>& grids);
-
 /// The set that the case control selects (SPC = n), else that of the deck's
 /// first SPC or SPC1, else 1.
 [[nodiscard]] int constraint_set(const Deck& deck);

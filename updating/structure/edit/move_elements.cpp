@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -22,8 +23,7 @@ std::size_t grid_count(const std::string& name) {
 }  // namespace
 
 CardEdit move_elements(const GridMoves& moves, const WeakenCards& weak) {
-  return [&moves,
-          &weak](const Card& card) -> std::optional<std::vector<std::string>> {
+  return [&moves, &weak](const Card& card) -> std::optional<std::vector<Card>> {
     const std::size_t count = grid_count(card.name());
     if (count == 0 || card.fields.size() < 2) return std::nullopt;
     const auto element = moves.find(parse_integer(card.fields[1]).value_or(0));
@@ -36,7 +36,7 @@ CardEdit move_elements(const GridMoves& moves, const WeakenCards& weak) {
       if (grid == element->second.end()) continue;
       own.fields[at] = fmt::format("{}", grid->second);
     }
-    return large_field(own);
+    return std::vector<Card>{std::move(own)};
   };
 }
 

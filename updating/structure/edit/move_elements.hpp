@@ -10,7 +10,7 @@ namespace tapfit::structure {
 /// Element -> grid -> the grid that it takes instead.
 using GridMoves = std::map<int, std::map<int, int>>;
 
-/// Writes the cards of these shells and bars anew, on what property `weak`
+/// Gives the cards of these shells and bars anew, on what property `weak`
 /// gives them. Both must outlive the result.
 [[nodiscard]] CardEdit move_elements(const GridMoves& moves,
                                      const WeakenCards& weak);

@@ -4,8 +4,6 @@
 #include "updating/structure/cards/card_reader.hpp"
 #include "updating/structure/edit/hold_cards.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -14,7 +12,7 @@
 namespace tapfit::structure {
 namespace {
 
-using Lines = std::vector<std::string>;
+using Cards = std::vector<Card>;
 using Released = std::map<int, std::string>;  // grid -> components
 
 constexpr std::size_t permanent = 7;  // of GRID: the field PS
@@ -48,18 +46,23 @@ std::optional<Alike> left_held(const HeldGrids& held,
   return left;
 }
 
-Lines spc1_cards(const std::string& set, const Alike& held) {
-  Lines lines;
+Card list_card(std::vector<std::string> fields, const std::vector<int>& grids) {
+  for (const int grid : grids) fields.push_back(std::to_string(grid));
+  Card card;
+  card.fields = std::move(fields);
+  return card;
+}
+
+Cards spc1_cards(const std::string& set, const Alike& held) {
+  Cards cards;
   for (const auto& [components, grids] : held) {
-    for (std::string& line : spc1_lines(set, components, grids)) {
-      lines.push_back(std::move(line));
-    }
+    cards.push_back(list_card({"SPC1", set, components}, grids));
   }
-  return lines;
+  return cards;
 }
 
 // Cards that hold these grids, each in its components.
-std::optional<Lines> held_anew(const std::string& set,
+std::optional<Cards> held_anew(const std::string& set,
                                const HeldGrids& held,
                                const Released& released) {
   const std::optional<Alike> left = left_held(held, released);
@@ -67,7 +70,7 @@ std::optional<Lines> held_anew(const std::string& set,
   return spc1_cards(set, *left);
 }
 
-std::optional<Lines> spc(const Card& card, const Released& released) {
+std::optional<Cards> spc(const Card& card, const Released& released) {
   const CardReader read(card);
   HeldGrids held;
   for (const std::size_t at : {std::size_t{2}, std::size_t{5}}) {
@@ -77,7 +80,7 @@ std::optional<Lines> spc(const Card& card, const Released& released) {
   return held_anew(card.fields.at(1), held, released);
 }
 
-std::optional<Lines> spc1(const Card& card,
+std::optional<Cards> spc1(const Card& card,
                           const Deck& deck,
                           const Released& released) {
   const CardReader read(card);
@@ -100,7 +103,7 @@ std::optional<Lines> spc1(const Card& card,
   return held_anew(card.fields.at(1), held, released);
 }
 
-std::optional<Lines> grid(const Card& card, const Released& released) {
+std::optional<Cards> grid(const Card& card, const Released& released) {
   const CardReader read(card);
   if (read.blank(permanent)) return std::nullopt;
   const std::string components = read.components(permanent);
@@ -109,12 +112,12 @@ std::optional<Lines> grid(const Card& card, const Released& released) {
   std::string& left = changed.fields[permanent];
   if (left == components) return std::nullopt;
   if (left.empty()) left = "0";  // a blank would take GRDSET's
-  return large_field(changed);
+  return Cards{std::move(changed)};
 }
 
 // What follows a held grid: one rigid element goes on leading those that are
 // alike, an SPC1 holds the others.
-std::optional<Lines> rigid(const Card& card,
+std::optional<Cards> rigid(const Card& card,
                            const Deck& deck,
                            const Released& released) {
   const int id = CardReader(card).id(1, "EID");
@@ -126,17 +129,18 @@ std::optional<Lines> rigid(const Card& card,
   }
   std::optional<Alike> left = left_held(held, released);
   if (!left) return std::nullopt;
-  if (left->empty()) return Lines{};
+  if (left->empty()) return Cards{};
   const auto first = left->begin();
-  Lines lines =
-      list_lines(fmt::format("RBE2,{},{},{}", id, e->independent, first->first),
-                 first->second);
+  Cards cards = {list_card({"RBE2",
+                            std::to_string(id),
+                            std::to_string(e->independent),
+                            first->first},
+                           first->second)};
   left->erase(first);
-  for (std::string& line :
-       spc1_cards(std::to_string(constraint_set(deck)), *left)) {
-    lines.push_back(std::move(line));
+  for (Card& other : spc1_cards(std::to_string(constraint_set(deck)), *left)) {
+    cards.push_back(std::move(other));
   }
-  return lines;
+  return cards;
 }
 
 }  // namespace
@@ -145,7 +149,7 @@ CardEdit release_constraints(const Deck& deck,
                              const std::vector<Constraint>& released) {
   Released all;
   for (const Constraint& out : released) all[out.grid] += out.components;
-  return [all, &deck](const Card& card) -> std::optional<Lines> {
+  return [all, &deck](const Card& card) -> std::optional<Cards> {
     if (card.name() == "SPC") return spc(card, all);
     if (card.name() == "SPC1") return spc1(card, deck, all);
     if (card.name() == "GRID") return grid(card, all);

@@ -8,7 +8,7 @@
 
 namespace tapfit::structure {
 
-/// Writes SPC, SPC1 and GRID cards that hold a released component anew without
+/// Gives SPC, SPC1 and GRID cards that hold a released component anew without
 /// it, whatever their set, and the RBE2 and RBAR by which a held grid holds
 /// others. What they hold besides stays held.
 ///

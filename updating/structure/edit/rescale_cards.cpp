@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace tapfit::structure {
 namespace {
 
@@ -45,10 +47,10 @@ Card rescaled(const Card& card,
 CardEdit rescale_cards(const std::vector<CardScale>& scales,
                        std::vector<bool>& done) {
   done.assign(scales.size(), false);
-  return [&](const Card& card) -> std::optional<std::vector<std::string>> {
-    const Card scaled = rescaled(card, scales, done);
+  return [&](const Card& card) -> std::optional<std::vector<Card>> {
+    Card scaled = rescaled(card, scales, done);
     if (scaled.fields == card.fields) return std::nullopt;
-    return large_field(scaled);
+    return std::vector<Card>{std::move(scaled)};
   };
 }
 

@@ -27,8 +27,7 @@ struct CardScale {
                             const std::vector<CardScale>& scales,
                             std::vector<bool>& done);
 
-/// Writes the cards that the scales mean with their numbers multiplied, in
-/// large field.
+/// Gives the cards that the scales mean with their numbers multiplied.
 ///
 /// @param done one per scale, set where a number was changed; both must outlive
 ///   the result

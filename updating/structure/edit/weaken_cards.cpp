@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -191,7 +192,8 @@ std::vector<Card> WeakenCards::copies(const Card& card) const {
   std::vector<Card> result;
   const auto multiply = [](Card& copied, std::size_t at, double by) {
     const auto value = parse_real(field(copied, at));
-    if (value) field(copied, at) = fmt::format("{:.8E}", *value * by);
+    if (value && by != 1.0)
+      field(copied, at) = fmt::format("{:.8E}", *value * by);
   };
   const std::vector<std::size_t> links = links_of(card);
   const auto moduli = modulus_fields.find(card.name());
@@ -228,17 +230,13 @@ std::vector<Card> WeakenCards::copies(const Card& card) const {
 CardEdit WeakenCards::edit(const std::vector<CardScale>& scales,
                            std::vector<bool>& done) const {
   return [this, &scales, &done](
-             const Card& card) -> std::optional<std::vector<std::string>> {
-    if (const auto other = moved(card)) return large_field(*other);
-    const Card own = rescaled(card, scales, done);
-    const std::vector<Card> others = copies(own);
-    if (others.empty()) return std::nullopt;
-    std::vector<std::string> lines = large_field(own);
-    for (const Card& other : others) {
-      const std::vector<std::string> more = large_field(other);
-      lines.insert(lines.end(), more.begin(), more.end());
-    }
-    return lines;
+             const Card& card) -> std::optional<std::vector<Card>> {
+    if (auto other = moved(card)) return std::vector{std::move(*other)};
+    Card own = rescaled(card, scales, done);
+    std::vector<Card> cards = copies(own);
+    if (cards.empty()) return std::nullopt;
+    cards.insert(cards.begin(), std::move(own));
+    return cards;
   };
 }
 

@@ -2,7 +2,6 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/output_file.hpp"
-#include "updating/structure/cards/line_text.hpp"
 #include "updating/structure/edit/file_text.hpp"
 
 #include <fmt/format.h>
@@ -18,22 +17,6 @@ namespace tapfit::structure {
 namespace {
 
 namespace fs = std::filesystem;
-
-// In front of ENDDATA, as another text of that line; else behind all.
-void add_cards(const std::vector<std::string>& added, EditedLayout& layout) {
-  const std::vector<std::string>& lines = layout.edited.lines;
-  const auto end = std::ranges::find_if(
-      lines, [](const std::string& line) { return is_end(line); });
-  if (added.empty()) return;
-  if (end == lines.end()) {
-    layout.behind = added;
-    return;
-  }
-  std::vector<std::string> with_end = added;
-  with_end.push_back(*end);
-  layout.edited.replaced[static_cast<std::size_t>(end - lines.begin())] =
-      std::move(with_end);
-}
 
 void check_same(const fs::path& deck, const EditedLayout& layout) {
   const bool same = std::ranges::equal(
@@ -63,12 +46,10 @@ void write_all(const std::vector<acquisition::FileContent>& files,
 
 WrittenLayout write_layout(const fs::path& deck,
                            const EditedDeck& edited,
-                           const std::vector<std::string>& added,
                            const fs::path& target,
                            acquisition::OutputRule rule) {
-  EditedLayout layout{read_deck_source(deck), edited, {}, {}, {}};
+  EditedLayout layout{read_deck_source(deck), edited, {}, {}};
   check_same(deck, layout);
-  add_cards(added, layout);
   layout.files = edited_files(layout.source, layout.edited);
   for (const EditedFile& file : layout.files) {
     rule.inputs.push_back(file.original);

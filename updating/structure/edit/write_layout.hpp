@@ -22,16 +22,14 @@ struct WrittenLayout {
 /// Writes all files or none. INCLUDE lines stay as they are where they lead
 /// from the new deck to the right file, else they name it.
 ///
-/// @param deck that was edited, bulk data
-/// @param added put in front of ENDDATA, in the file that has it; without one
-///   at the end of the deck itself
+/// @param deck that was edited, bulk data or keywords; what comes behind all
+///   stands at the end of the deck itself
 /// @param target of the deck itself
 /// @param rule for all files; what the deck includes is an input, too
 /// @throws InputError for a deck that was changed since, where the rule does
 ///   not let the target be written, or something cannot be written
 [[nodiscard]] WrittenLayout write_layout(const std::filesystem::path& deck,
                                          const EditedDeck& edited,
-                                         const std::vector<std::string>& added,
                                          const std::filesystem::path& target,
                                          acquisition::OutputRule rule);
 

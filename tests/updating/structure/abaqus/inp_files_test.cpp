@@ -74,10 +74,10 @@ TEST(InpFiles, CardsOfTheTranslationAreEditedAndReadAgain) {
       "plate.inp", one_brick() + brick_section + "*BOUNDARY\n1, 1, 3\n");
   const Deck deck = read_deck(path);
   const CardEdit softer =
-      [](const Card& card) -> std::optional<std::vector<std::string>> {
+      [](const Card& card) -> std::optional<std::vector<Card>> {
     if (card.name() != "MAT1") return std::nullopt;
     EXPECT_THAT(card.where, HasSubstr("plate.inp:13"));
-    return std::vector<std::string>{"MAT1,1,1.05+11,,.3,7800."};
+    return cards_in({"MAT1,1,1.05+11,,.3,7800."});
   };
   Deck edited = deck;
   edited.cards = edit_cards(path, {softer});

@@ -85,6 +85,18 @@ TEST(WeakenCards, MakesThinnedElementsThinner) {
   EXPECT_LT((assemble(read).M - M).norm(), 1e-8 * M.norm());
 }
 
+// Cards that are copied, with their own numbers unchanged, stay as they are.
+TEST(WeakenCards, LeavesTheCardsThatItCopies) {
+  const Deck deck = deck_of(model);
+  const WeakenCards weak(deck, {{{2}, 0.4}});
+  std::vector<bool> done;
+  std::vector<std::string> changed;
+  for (const std::string& line : edit_cards(deck.path, {weak.edit({}, done)})) {
+    if (line.starts_with("$ was")) changed.push_back(line);
+  }
+  EXPECT_EQ(changed, (std::vector<std::string>{"$ was: CQUAD4,2,1,2,5,6,3"}));
+}
+
 TEST(WeakenCards, LeavesADeckWithoutThemAsItIs) {
   const Deck deck = deck_of(model);
   EXPECT_EQ(written(deck, {}, {}).cards, deck.cards);

@@ -34,13 +34,12 @@ std::string text_of(const fs::path& file) {
 
 // As identified: the cards that say `old` say `now`.
 CardEdit says(const std::string& old, const std::string& now) {
-  return
-      [old, now](const Card& card) -> std::optional<std::vector<std::string>> {
-        std::string text = card.name();
-        for (std::size_t k = 1; k < 3; ++k) text += "," + card.fields[k];
-        if (text != old) return std::nullopt;
-        return std::vector<std::string>{now};
-      };
+  return [old, now](const Card& card) -> std::optional<std::vector<Card>> {
+    std::string text = card.name();
+    for (std::size_t k = 1; k < 3; ++k) text += "," + card.fields[k];
+    if (text != old) return std::nullopt;
+    return cards_in({now});
+  };
 }
 
 const CardEdit stiffer = says("MAT1,1,7.+10", "MAT1,1,7.7+10,,.3,2700.");
@@ -78,8 +77,7 @@ class WriteLayout : public ::testing::Test {
                                  const std::vector<std::string>& added = {},
                                  bool force = false) {
     last_ = write_layout(deck_,
-                         edit_deck(deck_, edits),
-                         added,
+                         bulk_text(change_cards(deck_, edits), added),
                          folder_.path() / target,
                          {{deck_}, force});
     std::vector<std::string> names;
@@ -191,7 +189,7 @@ TEST_F(WriteLayout, WritesAChangedCaseControl) {
   edited.replaced[3] = {"SPC = 1", "K2GG = KX"};
   ASSERT_EQ(edited.lines[3], "SPC = 1");
   last_ = write_layout(
-      deck_, edited, {}, folder_.path() / "out/updated.bdf", {{}, false});
+      deck_, edited, folder_.path() / "out/updated.bdf", {{}, false});
   EXPECT_EQ(get("out/case.inc"), "SPC = 1\nK2GG = KX\n");
   EXPECT_TRUE(get("out/updated.bdf").starts_with(control_text));
 }
