@@ -216,8 +216,7 @@ Job write_output(Output what,
   return {"writing",
           [what, to, replace, note](
               Workbench& bench, Snapshot&, const Progress& p) {
-            bench.write(what, to, replace, p);
-            return note + "written: " + to.string();
+            return note + "written: " + bench.write(what, to, replace, p);
           },
           std::nullopt};
 }

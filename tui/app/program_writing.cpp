@@ -6,6 +6,7 @@
 #include "tui/screen/text.hpp"
 #include "updating/export/output_rule_of.hpp"
 #include "updating/export/report_files.hpp"
+#include "updating/export/written_deck.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,7 @@
 namespace tapfit::tui {
 namespace {
 
-const char* usual_name(Output what) {
+const char* usual_name(Output what, const acquisition::TestBundle& bundle) {
   switch (what) {
     case Output::Report:
       return usual_report;
@@ -26,7 +27,9 @@ const char* usual_name(Output what) {
     case Output::Deck:
       break;
   }
-  return "updated.bdf";
+  const bool keywords =
+      bundle.deck && updating::as_keywords(*bundle.deck, "updated.inp");
+  return keywords ? "updated.inp" : "updated.bdf";
 }
 
 // All that is written, or may be replaced by it.
@@ -56,7 +59,7 @@ std::string shown_name(const std::filesystem::path& file,
 void Program::write(Output what, const std::string& named) {
   if (!known_.bundle) return tell("the bundle is not open yet", true);
   const std::filesystem::path to =
-      named.empty() ? known_.bundle->folder / usual_name(what)
+      named.empty() ? known_.bundle->folder / usual_name(what, *known_.bundle)
                     : std::filesystem::path(named);
   const std::string fault =
       what == Output::Report ? updating::report_name_fault(to) : "";

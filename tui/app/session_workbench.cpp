@@ -12,6 +12,8 @@
 #include "updating/session/shared_session.hpp"
 #include "updating/test_check/test_check.hpp"
 
+#include <fmt/format.h>
+
 namespace tapfit::tui {
 namespace {
 
@@ -112,10 +114,10 @@ class SessionWorkbench final : public Workbench {
     return session_.effects();
   }
   updating::HitActs hit_acts() override { return hit_acts_; }
-  void write(Output what,
-             const std::filesystem::path& to,
-             bool replace,
-             const Progress& p) override;
+  std::string write(Output what,
+                    const std::filesystem::path& to,
+                    bool replace,
+                    const Progress& p) override;
   std::optional<updating::HitActs> catch_up(const Progress& p) override;
   Saving save(const updating::HitActs& acts, const Progress& p) override;
 
@@ -144,22 +146,43 @@ void SessionWorkbench::write_report_to(const std::filesystem::path& path,
   write_report(report_document(report_data(worked, bundle_, p)), path, rule);
 }
 
-void SessionWorkbench::write(Output what,
-                             const std::filesystem::path& to,
-                             bool replace,
-                             const Progress& p) {
+// The deck, what was written beside it, and how much of it is to be known.
+std::string told_of(const updating::WrittenDeck& deck) {
+  std::string text = deck.files.front().string();
+  for (std::size_t k = 1; k < deck.files.size(); ++k) {
+    text += ", " + deck.files[k]
+                       .lexically_relative(deck.files.front().parent_path())
+                       .string();
+  }
+  const std::size_t notes = deck.notes.size();
+  if (notes > 0) {
+    text +=
+        fmt::format("; {} stand{} in it as {}",
+                    notes == 1 ? "a note" : std::to_string(notes) + " notes",
+                    notes == 1 ? "s" : "",
+                    notes == 1 ? "a comment" : "comments");
+  }
+  return text;
+}
+
+std::string SessionWorkbench::write(Output what,
+                                    const std::filesystem::path& to,
+                                    bool replace,
+                                    const Progress& p) {
   const acquisition::OutputRule rule =
       updating::output_rule_of(session_.bundle(), replace, {to});
   rule.check(to);
+  if (what == Output::Deck) {
+    updating::check_has_deck(session_);
+    return told_of(updating::write_updated_deck(session_, to, rule, p));
+  }
   if (what == Output::Report) {
     write_report_to(to, rule, p);
-  } else if (what == Output::Uff) {
+  } else {
     updating::write_measured_uff(
         session_, to, rule, acquisition::UffNodes::D2411, p);
-  } else {
-    updating::check_has_deck(session_);
-    updating::write_updated_deck(session_, to, rule, p);
   }
+  return to.string();
 }
 
 std::optional<updating::HitActs> SessionWorkbench::catch_up(const Progress& p) {

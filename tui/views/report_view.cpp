@@ -359,7 +359,8 @@ std::string ReportPage::help() const {
          "a report with pictures, set-up, hits, FRFs and modes to report.html "
          "beside the bundle's test.json (nothing added: with what the "
          "diagnosis "
-         "finds), e the deck with what was identified to updated.bdf, f "
+         "finds), e the deck with what was identified to updated.bdf (.inp for "
+         "a deck of Abaqus or CalculiX), f "
          "FRFs and modes to measured.uff; :report FILE, :deck FILE and :uff "
          "FILE write elsewhere.";
 }

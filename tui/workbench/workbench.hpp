@@ -77,12 +77,14 @@ class Workbench {
   virtual bool redo(const Progress&) = 0;
   virtual std::vector<updating::AddedEffect> effects() = 0;
 
-  /// Writes a file; never over an input of the test.
+  /// Writes a file, of a deck in several files those that change; never over
+  /// an input of the test.
   /// @param replace over a file that is there
-  virtual void write(Output what,
-                     const std::filesystem::path& to,
-                     bool replace,
-                     const Progress&) = 0;
+  /// @return what was written, and what of it is to be known
+  virtual std::string write(Output what,
+                            const std::filesystem::path& to,
+                            bool replace,
+                            const Progress&) = 0;
   /// How hits had been judged by hand when it was opened.
   virtual updating::HitActs hit_acts() = 0;
   /// Takes over what another window did to the test and saved, in place of

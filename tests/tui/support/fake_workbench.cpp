@@ -142,10 +142,12 @@ class FakeWorkbench final : public Workbench {
     record.correlation = Eigen::Matrix2d{{1.0, -0.42}, {-0.42, 1.0}};
     return {record};
   }
-  void write(Output,
-             const std::filesystem::path&,
-             bool,
-             const Progress&) override {}
+  std::string write(Output,
+                    const std::filesystem::path& to,
+                    bool,
+                    const Progress&) override {
+    return to.string();
+  }
   std::vector<updating::Rung> ladder(const Progress&) override {
     std::vector<updating::Rung> rungs{{"base", {}, base_.error, {}}};
     for (const updating::AddedEffect& e : added_) {
