@@ -111,13 +111,13 @@ MatrixXd LocationOperators::motion_of(const std::vector<int>& grids) {
   return motions;
 }
 
-const LocationOperators::ElementRows& LocationOperators::rows_of(int id) {
+const structure::ElementMatrices& LocationOperators::element(int id) {
   const auto [it, fresh] = known_.try_emplace(id);
-  ElementRows& element = it->second;
-  if (!fresh) return element;
-  element.own = matrices_.at(id)();
-  element.motion = motion_of(element.own.grids);
-  return element;
+  if (fresh) {
+    it->second = matrices_.at(id)();
+    it->second.M.resize(0, 0);
+  }
+  return it->second;
 }
 
 MatrixXd LocationOperators::grid(int node, int component) const {
@@ -128,9 +128,9 @@ MatrixXd LocationOperators::cell(const ElementCell& cell) {
   const int middle = *std::ranges::min_element(cell.elements, {}, [&](int id) {
     return (middles_.at(id) - cell.middle).norm();
   });
-  const ElementRows& element = rows_of(middle);
+  const structure::ElementMatrices& own = element(middle);
   return std::sqrt(static_cast<double>(cell.elements.size())) *
-         strain_rows(element.own.K, element.motion);
+         strain_rows(own.K, motion_of(own.grids));
 }
 
 MatrixXd LocationOperators::joint(const Location& where) {
@@ -140,12 +140,13 @@ MatrixXd LocationOperators::joint(const Location& where) {
   for (std::size_t k = 0; k < line.grids.size(); ++k) {
     const JointGrid& grid = line.grids[k];
     for (const int id : line.side) {
-      const ElementRows& e = rows_of(id);
-      for (std::size_t n = 0; n < e.own.grids.size(); ++n) {
-        if (e.own.grids[n] != grid.node) continue;
+      const structure::ElementMatrices& e = element(id);
+      for (std::size_t n = 0; n < e.grids.size(); ++n) {
+        if (e.grids[n] != grid.node) continue;
         const Index first = 6 * static_cast<Index>(n) + 3;
-        rows.row(static_cast<Index>(k)) +=
-            grid.axis.transpose() * e.own.K.middleRows(first, 3) * e.motion;
+        rows.row(static_cast<Index>(k)) += grid.axis.transpose() *
+                                           e.K.middleRows(first, 3) *
+                                           motion_of(e.grids);
       }
     }
     rows.row(static_cast<Index>(k)) /= std::sqrt(grid.length);

@@ -43,19 +43,15 @@ class LocationOperators {
   [[nodiscard]] Eigen::MatrixXd preload(const Location& where);
 
  private:
-  struct ElementRows {
-    structure::ElementMatrices own;
-    Eigen::MatrixXd motion;  // 6n x r
-  };
   [[nodiscard]] Eigen::MatrixXd motion_of(const std::vector<int>& grids);
-  // Of an element, worked out when first asked for.
-  const ElementRows& rows_of(int id);
+  // Of an element, without mass; worked out when first asked for.
+  const structure::ElementMatrices& element(int id);
 
   const FrfModel* model_;
   std::map<int, std::function<structure::ElementMatrices()>> matrices_;
   std::map<int, Eigen::Vector3d> middles_;
   std::map<std::size_t, Eigen::MatrixXd> motions_;  // of grids, 6 x r
-  std::map<int, ElementRows> known_;
+  std::map<int, structure::ElementMatrices> known_;
 };
 
 }  // namespace tapfit::updating
