@@ -95,6 +95,7 @@ FieldLine FieldLine::continuation() const {
   const char* usual = data_fields() == 4 ? "*" : width_ == 0 ? "" : "+";
   const bool marked = !marker.empty() && marker.starts_with(usual);
   line.cells_ = {marked ? marker : usual};
+  if (width_ == 0) line.cells_.emplace_back();  // a blank line is none
   return line;
 }
 

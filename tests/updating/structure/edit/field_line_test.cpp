@@ -78,6 +78,11 @@ TEST(FieldLine, CardsGoOnInTheirForm) {
                 "PBAR    2       1       1.-4    1.-8    2.-8    3.-8",
                 "+",
                 "+       0.5     0.5"}));
+  EXPECT_EQ(stiffer("PBAR,2,1,1.-4,1.-8\n", shear),
+            (std::vector<std::string>{"$ was: PBAR,2,1,1.-4,1.-8",
+                                      "PBAR,2,1,1.-4,1.-8",
+                                      ",",
+                                      ",5.00000000E-01,5.00000000E-01"}));
 }
 
 }  // namespace
