@@ -5,7 +5,6 @@
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/json_text.hpp"
-#include "tui/report/ladder_text.hpp"
 #include "tui/report/robustness_output.hpp"
 #include "tui/report/text_table.hpp"
 #include "updating/session/session.hpp"
@@ -120,8 +119,8 @@ std::string next_text(const updating::Diagnosis& diagnosis) {
 std::string indented_parameters(
     const std::vector<updating::Estimate>& parameters) {
   std::string text;
-  for (const auto& estimate : parameters) {
-    text += "      " + updating::parameters_text({estimate}) + "\n";
+  for (const auto& estimate : told(parameters)) {
+    text += "      " + estimate_text(estimate) + "\n";
   }
   return text;
 }

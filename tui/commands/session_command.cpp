@@ -41,7 +41,7 @@ std::string session_text(const updating::SavedSession& session) {
                percent(saved.rung.error),
                paired ? percent(hz_error) : "-",
                shapes ? fmt::format("{:.3f}", mac) : "-",
-               parameters_text(saved.rung.parameters)});
+               parameters_text(told(saved.rung.parameters))});
     if (saved.rung.stopped_after == 0) continue;
     table.add({"  " + updating::stopped_text(saved.rung.stopped_after),
                "",

@@ -5,6 +5,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <string>
+#include <vector>
+
 namespace tapfit::tui {
 
 /// The place as the effect's row of the format's table names it: {"node": 201},
@@ -33,5 +36,19 @@ namespace tapfit::tui {
 /// {"E:1": {"value", "sd", "unit"}}
 [[nodiscard]] nlohmann::ordered_json model_parameters_json(
     const std::vector<updating::Estimate>& parameters);
+
+/// "mass_kg 0.0785 +- 0.0006"; what the data do not tell from nothing by the
+/// end of its interval, as the screens do: "damping_ns_per_m at most 0.21 N
+/// s/m".
+[[nodiscard]] std::string estimate_text(const updating::Estimate& estimate);
+
+/// The error ladder: how far each added effect brought the error down. One rung
+/// per line with a bar, the base first and the floor last:
+///
+///   base model                      38.8 %  ##############################
+///   uncertain properties fitted     30.1 %  #######################
+///   + added-mass at node 201         3.8 %  ###
+///   floor                            3.1 %  ##
+[[nodiscard]] std::string ladder_text(const updating::Diagnosis& diagnosis);
 
 }  // namespace tapfit::tui

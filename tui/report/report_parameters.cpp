@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tui/report/report_words.hpp"
+#include "tui/screen/number.hpp"
 #include "updating/properties/uncertain_property.hpp"
 
 #include <fmt/format.h>
@@ -147,12 +148,18 @@ std::vector<IdentifiedRow> identified_rows(
   std::size_t at = properties;
   for (const updating::Rung& rung : model.ladder) {
     if (!is_effect(rung)) continue;
+    std::vector<Estimate> own;
     for (std::size_t k = 0; k < rung.parameters.size() && at < all.size();
          ++k, ++at) {
-      Estimate estimate = all[at];
-      estimate.name = rung.parameters[k].name;
+      own.push_back(all[at]);
+      own.back().name = rung.parameters[k].name;
+    }
+    const std::size_t first = rows.size();
+    for (const Estimate& estimate : told(std::move(own))) {
       rows.push_back(row_of(estimate, sheet_mass(bundle, rung, estimate.name)));
-      if (k == 0) rows.back().what = found_words(rung.added, rung.where);
+    }
+    if (rows.size() > first) {
+      rows[first].what = found_words(rung.added, rung.where);
     }
   }
   for (std::size_t k = 0; k < properties; ++k) {

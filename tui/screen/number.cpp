@@ -218,6 +218,27 @@ std::string size_words(const updating::Estimate& e) {
                : fmt::format("at most {}{}", number(e.hi95, 2), unit);
 }
 
+std::string told_name(const std::string& name,
+                      const std::vector<updating::Estimate>& all) {
+  const std::string per_metre = "_per_m";
+  if (!name.ends_with(per_metre)) return name;
+  const std::string total = name.substr(0, name.size() - per_metre.size());
+  const auto own = std::ranges::find(all, name, &updating::Estimate::name);
+  const auto sum = std::ranges::find(all, total, &updating::Estimate::name);
+  const bool same =
+      own != all.end() && sum != all.end() && own->value == sum->value;
+  return same ? total : name;
+}
+
+std::vector<updating::Estimate> told(
+    std::vector<updating::Estimate> estimates) {
+  const std::vector<updating::Estimate> all = estimates;
+  std::erase_if(estimates, [&all](const updating::Estimate& e) {
+    return told_name(e.name, all) != e.name;
+  });
+  return estimates;
+}
+
 std::string describe(const updating::Estimate& estimate) {
   return parameter_words(estimate.name) + " " + size_words(estimate);
 }

@@ -7,6 +7,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace tapfit::tui {
 
@@ -65,6 +66,15 @@ struct NameAndUnit {
 
 /// Whether it is given by the ends of its interval alone.
 [[nodiscard]] bool is_open(const updating::Estimate& estimate);
+
+/// A parameter's name among those it was identified with: what is shared out
+/// over no length, as at one grid, is no size per metre but that of its total.
+[[nodiscard]] std::string told_name(const std::string& name,
+                                    const std::vector<updating::Estimate>& all);
+
+/// Those worth telling: without what would stand there twice then.
+[[nodiscard]] std::vector<updating::Estimate> told(
+    std::vector<updating::Estimate> estimates);
 
 /// "mass 0.0785 ± 0.0006 kg".
 [[nodiscard]] std::string describe(const updating::Estimate& estimate);

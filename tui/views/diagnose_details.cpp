@@ -41,7 +41,7 @@ std::string next_step(const updating::Diagnosis& d, const Candidate& c) {
 
 std::string all_sizes(const Candidate& c) {
   std::string text;
-  for (const updating::Estimate& p : c.parameters) {
+  for (const updating::Estimate& p : told(c.parameters)) {
     const std::string size = (text.empty() ? "" : "; ") + describe(p);
     text +=
         is_open(p)

@@ -1,7 +1,6 @@
 #include "tui/commands/diagnose_command.hpp"
 
 #include "tui/report/effect_output.hpp"
-#include "tui/report/ladder_text.hpp"
 #include "updating/diagnosis/named_diagnosis.hpp"
 
 #include <fmt/format.h>
@@ -219,6 +218,14 @@ TEST(UpdateCommand, CandidatesHaveTheFinalValuesRungsTheirOwn) {
   EXPECT_EQ(diagnosis.candidates[1].parameters[0].name, "mass_kg");
   ASSERT_EQ(diagnosis.model_parameters.size(), 1U);
   EXPECT_EQ(diagnosis.model_parameters[0].name, "E:1");
+}
+
+// "0.019 +- 0.023" would say less than the screens do.
+TEST(EstimateText, GivesTheEndOfAnIntervalThatHoldsNothing) {
+  EXPECT_EQ(estimate_text({"mass_kg", 0.0785, 0.0006, 0.0773, 0.0797}),
+            "mass_kg 0.0785 +- 0.0006");
+  EXPECT_EQ(estimate_text({"damping_ns_per_m", 0.019, 0.023, 0.0017, 0.2144}),
+            "damping_ns_per_m at most 0.21 N s/m");
 }
 
 }  // namespace

@@ -318,6 +318,25 @@ TEST(ReportDocument, NamesEachPictureOnce) {
   }
 }
 
+TEST(IdentifiedRows, TellNothingPerMetreOfOneGrid) {
+  ReportData data = data_of_two_effects();
+  const updating::Estimate total{
+      "rotational_stiffness_nm_per_rad", 523.0, 8.0, 507.0, 539.0};
+  updating::Estimate per_m = total;
+  per_m.name += "_per_m";
+  data.model->ladder[2] = {"joint", {.nodes = {6}}, 0.038, {total, per_m}};
+  data.model->parameters.pop_back();
+  for (updating::Estimate e : {total, per_m}) {
+    e.name = "joint " + e.name;
+    data.model->parameters.push_back(e);
+  }
+  const auto rows = identified_rows(data.bundle, *data.model);
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[1].quantity, "rotational stiffness");
+  EXPECT_EQ(rows[1].value, "523.0 ± 8.0 N·m/rad");
+  EXPECT_EQ(rows[2].what, "E:1");
+}
+
 TEST(ReportDocument, ShowsASignatureWhereOneGridExplainsMost) {
   ReportData data = data_of_two_effects();
   data.model->signature = testing::fake_signature(5);

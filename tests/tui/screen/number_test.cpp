@@ -106,6 +106,19 @@ TEST(Number, TellsATotalFromItsValuePerMetre) {
             "rotational stiffness per m");
 }
 
+// One grid shares nothing out: its stiffness is no stiffness per metre.
+TEST(Number, TellsNothingPerMetreOfOneGrid) {
+  const updating::Estimate total{"rotational_stiffness_nm_per_rad", 523.0, 8.0};
+  updating::Estimate per_m{"rotational_stiffness_nm_per_rad_per_m", 523.0, 8.0};
+  ASSERT_EQ(told({total, per_m}).size(), 1U);
+  EXPECT_EQ(told({total, per_m})[0].name, total.name);
+  EXPECT_EQ(told_name(per_m.name, {total, per_m}), total.name);
+  EXPECT_EQ(told({per_m}).size(), 1U);
+  per_m.value = 3269.0;  // over 16 cm
+  EXPECT_EQ(told({total, per_m}).size(), 2U);
+  EXPECT_EQ(told_name(per_m.name, {total, per_m}), per_m.name);
+}
+
 TEST(Number, PutsThePlacesVariantFirst) {
   updating::Location where;
   where.nodes = {1, 3, 4, 38};
