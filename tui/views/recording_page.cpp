@@ -33,7 +33,8 @@ RecordingInput recording_input(const Snapshot& known) {
           *known.hits,
           nullptr,
           &known.left_out,
-          known.findings.get()};
+          known.findings.get(),
+          known.frfs.get()};
 }
 
 }  // namespace
@@ -53,6 +54,7 @@ std::vector<Need> RecordingPage::essential() const {
 
 std::vector<Need> RecordingPage::welcome(const Snapshot& known) const {
   if (state_.findings) return {{Stage::Findings}};
+  if (state_.overview) return {{Stage::Frfs}};
   if (state_.run >= known.hits->runs.size()) return {};
   if (recording_input(known).not_used(state_.run) != nullptr) return {};
   return {{Stage::RunLook, static_cast<int>(state_.run)}};
@@ -194,12 +196,33 @@ bool RecordingPage::press_replay(Key key) {
 }
 
 bool RecordingPage::leave_view() {
+  if (std::exchange(state_.overview, false)) return true;
   const bool main = !state_.statements && !state_.findings && state_.zoom == 0;
   if (state_.zoom != 0) state_.range = {};
   state_.zoom = 0;
   state_.statements = false;
   state_.findings = false;
   return !main || !std::exchange(state_.tagged, {}).empty();
+}
+
+// From run to run; Enter shows the one that is chosen.
+bool RecordingPage::press_overview(const RecordingInput& input,
+                                   Key key,
+                                   Command& command) {
+  const Table table = run_table(input);
+  if (key == keys::enter && !none_shown(table, state_.runs)) {
+    const std::size_t run = settled(table, state_.runs);
+    if (run != state_.run) {
+      state_.list = {};
+      state_.range = {};
+      state_.zoom = 0;
+    }
+    state_.run = run;
+    state_.overview = false;
+    return true;
+  }
+  return list_key(state_.runs, table, key) ||
+         sort_key(state_.runs, table, key, command.message);
 }
 
 // Walks along the list of findings.
@@ -222,6 +245,13 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
   const std::size_t runs = page_run_count(input);
   if (runs == 0) return false;
   state_.run = std::min(state_.run, runs - 1);
+  if (key == U'o') {
+    state_.overview = !state_.overview;
+    state_.runs.selected = state_.run;
+    state_.playing.on = false;
+    return true;
+  }
+  if (state_.overview) return press_overview(input, key, command);
   if (key == U'i') {
     state_.statements = !state_.statements;
     state_.findings = false;
@@ -250,6 +280,7 @@ bool RecordingPage::press(const Snapshot& known, Key key, Command& command) {
 
 bool RecordingPage::click(const Snapshot& known, const Zone& zone, int x) {
   const auto look = known.run_looks.find(static_cast<int>(state_.run));
+  if (state_.overview) return Page::click(known, zone, x);
   if (zone.kind == Zone::Kind::Entry && look != known.run_looks.end()) {
     const std::vector<std::size_t>& hits = look->second->coherence.hits;
     if (zone.column < hits.size()) state_.list.selected = hits[zone.column];
@@ -279,6 +310,13 @@ bool RecordingPage::animate(const Snapshot& known) {
 
 std::vector<KeyHelp> RecordingPage::keys() const {
   if (state_.statements) return {{"i", "back to the hits"}};
+  if (state_.overview) {
+    return {{"j k", "run"},
+            {"Enter", "show it"},
+            {"s", "sort"},
+            {"/", "filter"},
+            {"o", "back"}};
+  }
   if (state_.playing.on) {
     return {{"R", state_.playing.paused ? "go on" : "pause"},
             {"< >", "slower, faster"},
@@ -293,6 +331,7 @@ std::vector<KeyHelp> RecordingPage::keys() const {
           {"N", "next rejected"},
           {"Tab", "sensor"},
           {"R", "replay"},
+          {"o", "all runs"},
           {"j k", "hit"},
           {"t", "tag"},
           {"*", "tag all listed"},
@@ -316,6 +355,7 @@ std::string RecordingPage::help() const {
          "judgement of the selected hit, or of all that are tagged; the "
          "average at the side, FRFs and all that follows are computed anew. A "
          "low row of the coherences is a bad sensor, a low column a bad hit. "
+         "o lists all runs with what became of their hits. "
          "Enter zooms on the pulse with its force window, once more on the "
          "block with the exponential window. f lists what is wrong with the "
          "whole test, worst first: what was seen, what it likely is, what to "

@@ -5,6 +5,7 @@
 #include "acquisition/foundation/finding.hpp"
 #include "acquisition/hits/hits.hpp"
 #include "acquisition/hits/readable_recordings.hpp"
+#include "signal/frf_set/frf_set.hpp"
 #include "tui/widgets/plot_range.hpp"
 #include "tui/widgets/table.hpp"
 #include "tui/widgets/trace.hpp"
@@ -26,6 +27,7 @@ struct RecordingInput {
 
   /// What is wrong with the test, once it is known.
   const std::vector<Finding>* findings = nullptr;
+  const signal::FrfSet* frfs = nullptr;  ///< once they are known
 
   /// Why that run is left out, if it is.
   [[nodiscard]] const acquisition::LeftOut* not_used(std::size_t run) const;
@@ -52,7 +54,13 @@ struct RecordingState {
   bool findings = false;    ///< what is wrong with the test, likewise
   std::size_t finding = 0;  ///< the one at the top
   Playing playing;
+  bool overview = false;  ///< all runs in place of the one on show
+  ListState runs;         ///< of the overview
 };
+
+/// A row for each run: file, place of the hammer, hits, the coherence of its
+/// worst FRF once FRFs are known, what there is to say of its hits.
+[[nodiscard]] Table run_table(const RecordingInput& input);
 
 /// Hits of the run on show that have been measured when the replay is at
 /// `time_s`: whose block is complete.

@@ -95,6 +95,24 @@ std::string run_line(const RecordingInput& input,
                 width);
 }
 
+/// All runs and hits in numbers.
+std::string overview_line(const RecordingInput& input, int width) {
+  std::size_t hits = 0;
+  std::ptrdiff_t accepted = 0;
+  for (const std::vector<Hit>& run : input.hits.runs) {
+    hits += run.size();
+    accepted += std::ranges::count(run, true, &Hit::accepted);
+  }
+  const std::size_t out =
+      input.left_out == nullptr ? 0 : input.left_out->size();
+  return clipped(fmt::format("{} runs{}, {} hits, {} accepted",
+                             run_count(input),
+                             out == 0 ? "" : fmt::format(", {} left out", out),
+                             hits,
+                             accepted),
+                 width);
+}
+
 /// What the table has no room for on small terminals goes before the block.
 std::string hits_line(const RecordingInput& input,
                       const RecordingState& state,
@@ -253,6 +271,13 @@ Screen recording_view(const RecordingInput& input,
                 1,
                 "The bundle holds no recordings (ready FRFs, perhaps: 2; or "
                 "modes: 3).");
+    return screen;
+  }
+  if (state.overview) {
+    const Rect all{0, 0, canvas.width, canvas.height};
+    const auto [title, rows] = split_top(all, 1);
+    screen.text(1, 0, overview_line(input, canvas.width - 2), {.bold = true});
+    draw_table(screen, rows, run_table(input), state.runs, true);
     return screen;
   }
   RecordingState at = state;

@@ -26,14 +26,19 @@ class RecordingPage final : public Page {
   bool click(const Snapshot& known, const Zone& zone, int x) override;
   bool animate(const Snapshot& known) override;
   bool leave_view() override;
-  ListState* list() override { return &state_.list; }
-  PlotRange* range() override { return &state_.range; }
+  ListState* list() override {
+    return state_.overview ? &state_.runs : &state_.list;
+  }
+  PlotRange* range() override {
+    return state_.overview ? nullptr : &state_.range;
+  }
   /// Shows that run.
   void select(std::size_t run);
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 
  private:
+  bool press_overview(const RecordingInput& input, Key key, Command& command);
   bool press_findings(const RecordingInput& input, Key key);
   bool press_run(const RecordingInput& input, Key key);
   bool press_hit(const RecordingInput& input, Key key, Command& command);

@@ -47,6 +47,25 @@ TEST(RecordingView, ShowsHitsAndReasons) {
   }
 }
 
+TEST(RecordingView, ListsAllRuns) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  const acquisition::HitSet hits = testing::fake_hits();
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const std::vector<Trace> all = traces();
+  RecordingState state;
+  state.overview = true;
+  RecordingInput input{bundle, all, hits};
+  EXPECT_TRUE(holds(recording_view(input, state, sizes[0]), "…"));
+  input.frfs = &frfs;
+  for (const Canvas& canvas : sizes) {
+    const Screen s = recording_view(input, state, canvas);
+    EXPECT_TRUE(holds(s, "2 runs, ")) << s.to_text();
+    EXPECT_TRUE(holds(s, "run-01.wav")) << s.to_text();
+    EXPECT_TRUE(holds(s, "0.9870 acc1")) << s.to_text();
+    EXPECT_TRUE(holds(s, "1 double")) << s.to_text();
+  }
+}
+
 TEST(RecordingView, TakesABundleWithoutRecordings) {
   const acquisition::TestBundle bundle;
   const acquisition::HitSet hits;

@@ -27,6 +27,7 @@ struct Shot {
 
 const std::vector<Shot> shots{
     {"recording", "wait"},
+    {"recording-runs", "wait\no\nwait"},
     {"recording-pulse", "wait\n<Enter>"},
     {"frf-phase", "2\nwait\nn"},
     {"frf-parts", "2\nwait\n <Tab><Tab>"},
