@@ -72,6 +72,12 @@ class SessionWorkbench final : public Workbench {
   updating::Signature signature(int node, const Progress& p) override {
     return session_.signature(node, p);
   }
+  updating::EffectEvidence evidence(
+      const updating::EffectRef& effect,
+      const std::vector<updating::EffectRef>& added,
+      const Progress& p) override {
+    return session_.evidence(effect, added, p);
+  }
   std::vector<updating::GridShare> localisation_map(
       const Progress& p) override {
     return session_.localisation_map(p);

@@ -67,6 +67,11 @@ ModelResults model_results(Session& session,
   results.after = session.comparison(progress);
   results.ladder = session.ladder(progress);
   results.parameters = session.model_parameters(progress);
+  for (const updating::Rung& rung : results.ladder) {
+    if (rung.added == updating::base_rung) continue;
+    results.evidence.push_back(
+        session.evidence({rung.added, rung.where}, {}, progress));
+  }
   if (by_hand && any_on(session)) {
     results.signature =
         base_signature(session, bundle, node_of(results.ladder), progress);

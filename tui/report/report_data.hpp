@@ -20,6 +20,8 @@ struct ModelResults {
   updating::Comparison before;
   updating::Comparison after;
   std::vector<updating::Rung> ladder;  ///< base first
+  /// Of each rung above the base.
+  std::vector<updating::EffectEvidence> evidence;
   /// Of the last model: uncertain properties, the model's corrections, then the
   /// parameters of each effect under "EFFECT NAME".
   std::vector<updating::Estimate> parameters;

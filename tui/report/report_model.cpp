@@ -213,14 +213,13 @@ Section signature_section(const ModelResults& model) {
           "signature",
           fmt::format(
               "Dynamic stiffness that the base model lacks at grid {0}. "
-              "Grid {0} alone explains {1} of the misfit; {2} ({3}) leaves "
-              "{4} of it. A mass falls with frequency squared, a spring is "
+              "Grid {0} alone explains {1} of the misfit; {2} leaves {3} of "
+              "it. A mass falls with frequency squared, a spring is "
               "constant, a dashpot is imaginary and rises, an absorber changes "
               "its sign at its own frequency.",
               signature.node,
               percent(signature.explained),
               law_name(law),
-              law_size(law, signature),
               percent(law.unexplained)),
           svg_plot(plot, {.height = 300.0})}}};
 }

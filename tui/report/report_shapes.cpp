@@ -216,6 +216,25 @@ std::optional<Figure> set_up_sketch(const ReportData& data) {
   return sketch(data, *wire);
 }
 
+std::optional<Figure> place_figure(const ReportData& data,
+                                   const updating::Location& where,
+                                   const std::string& name) {
+  const std::set<int> nodes = nodes_at(data, where);
+  if (nodes.empty()) return std::nullopt;
+  SvgStructure picture;
+  picture.name = "where it sits: " + place_words(where);
+  picture.width = 340.0;
+  picture.tallest = 260.0;
+  constexpr std::size_t few = 4;
+  for (const int node : nodes) {
+    picture.marks.push_back({node,
+                             nodes.size() <= few ? std::to_string(node) : "",
+                             ink::green,
+                             nodes.size() <= few ? 6.0 : 3.5});
+  }
+  return Figure{name, "", svg_structure(wireframe(data.model->deck), picture)};
+}
+
 Section shape_section(const ReportData& data) {
   Section section{"Mode shapes", {}};
   FigureRow row;

@@ -250,6 +250,11 @@ std::string on_contour(const std::string& contour) {
   return words.starts_with("evaluated at ") ? words : "on " + words;
 }
 
+std::string drop_words(double without, double with) {
+  return fmt::format(
+      "error {} without it, {} with it", percent(without), percent(with));
+}
+
 std::string signed_percent_words(double percent) {
   const std::string text = typeset(fixed(percent, 2));
   return (percent > 0.0 && text != "0.00" ? "+" : "") + text + " %";
@@ -274,14 +279,6 @@ std::string capitalised(std::string text) {
 std::string law_name(const updating::SignatureLaw& law) {
   if (law.effect == "mass") return "a pure mass";
   return (law.effect == "absorber" ? "an " : "a ") + law.effect;
-}
-
-std::string law_size(const updating::SignatureLaw& law,
-                     const updating::Signature& signature) {
-  const std::string size = value_words({law.parameter, law.size}, law.size);
-  if (law.effect != "absorber") return size;
-  return fmt::format(
-      "{} at {} Hz", size, number(signature.absorber.frequency_hz));
 }
 
 }  // namespace tapfit::tui

@@ -56,6 +56,9 @@ struct Quantity {
 /// The same as the end of a sentence: "on 50 lines" where it is another line.
 [[nodiscard]] std::string on_contour(const std::string& contour);
 
+/// "error 12.3 % without it, 0.36 % with it".
+[[nodiscard]] std::string drop_words(double without, double with);
+
 /// "+1.91 %", "0.00 %".
 [[nodiscard]] std::string signed_percent_words(double percent);
 
@@ -71,9 +74,5 @@ struct Quantity {
 
 /// "a pure mass", "a spring", "a dashpot", "an absorber".
 [[nodiscard]] std::string law_name(const updating::SignatureLaw& law);
-
-/// "80.1 g"; of an absorber with its frequency.
-[[nodiscard]] std::string law_size(const updating::SignatureLaw& law,
-                                   const updating::Signature& signature);
 
 }  // namespace tapfit::tui

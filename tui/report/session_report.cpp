@@ -3,6 +3,7 @@
 #include "acquisition/foundation/output_file.hpp"
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
+#include "tui/report/report_evidence.hpp"
 #include "tui/report/report_front.hpp"
 #include "tui/report/report_measurement.hpp"
 #include "tui/report/report_model.hpp"
@@ -36,6 +37,7 @@ Document report_document(const ReportData& data) {
     document.sections.push_back(shape_section(data));
   }
   append(document.sections, model_sections(data));
+  append(document.sections, evidence_sections(data));
   append(document.sections, firmness_sections(data));
   append(document.sections, record_sections(data));
   return document;

@@ -2,6 +2,8 @@
 #include "tui/screen/number.hpp"
 #include "tui/views/diagnose_details.hpp"
 #include "tui/views/diagnose_view.hpp"
+#include "tui/views/frf_curves.hpp"
+#include "tui/workbench/diagnosed_effects.hpp"
 #include "updating/localisation/signature.hpp"
 
 #include <fmt/format.h>
@@ -32,22 +34,13 @@ const updating::Diagnosis& shown(const Snapshot& known) {
   return *found(known);
 }
 
-/// All that the verdict is made of, in its order; of look-alikes the first.
 void add_verdict(const updating::Diagnosis& d, Command& command) {
-  for (const updating::Rung& rung : d.ladder) {
-    const std::string kind = updating::leading_kind(rung);
-    if (kind == updating::nonlinearity) continue;
-    command.effects.push_back({kind, rung.where, rung.place_sd, rung.sizes});
-  }
+  command.effects = verdict_of(d);
   if (command.effects.empty()) {
     command.message = "the verdict adds nothing to the model";
   } else {
     command.kind = Command::Kind::Add;
   }
-}
-
-EffectRef ref_of(const Candidate& c) {
-  return {c.effect, c.where, c.place_sd, c.sizes};
 }
 
 /// A word of caution where one of these can't be told from the candidate.
@@ -85,24 +78,36 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   if (state_.firmness) needs.push_back({Stage::Robustness});
   if (d.candidates.empty()) return needs;
   const Table table = candidate_table(d, {}, 80, true);
-  const Candidate& c = d.candidates[settled(table, state_.list)];
+  const std::size_t at = settled(table, state_.list);
+  const Candidate& c = d.candidates[at];
   if (const auto grid = signature_grid(*known.bundle, c)) {
     needs.push_back({Stage::Signature, *grid});
+  }
+  const bool curves =
+      state_.evidence || !has_signature(*known.bundle, known.signatures, c);
+  if (curves && c.effect != updating::nonlinearity) {
+    needs.push_back({Stage::CandidateEvidence, static_cast<int>(at)});
   }
   if (state_.map) needs.push_back({Stage::LocalisationMap});
   return needs;
 }
 
 Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return diagnose_view({*known.bundle,
-                        shown(known),
-                        known.signatures,
-                        known.wire.get(),
-                        known.localisation_map.get(),
-                        standing_of(known),
-                        known.deck.get()},
-                       state_,
-                       canvas);
+  DiagnoseInput input{*known.bundle,
+                      shown(known),
+                      known.signatures,
+                      known.wire.get(),
+                      known.localisation_map.get(),
+                      standing_of(known),
+                      known.deck.get(),
+                      known.frfs.get()};
+  const Table table = candidate_table(input.diagnosis, {}, 80, true);
+  const auto found = known.candidate_evidence.find(
+      static_cast<int>(settled(table, state_.list)));
+  if (found != known.candidate_evidence.end()) {
+    input.evidence = found->second.get();
+  }
+  return diagnose_view(input, state_, canvas);
 }
 
 void DiagnosePage::follow(const Snapshot& before, const Snapshot& now) {
@@ -123,6 +128,7 @@ bool DiagnosePage::leave_view() {
   if (std::exchange(state_.details, {})) return true;
   if (std::exchange(state_.firmness, {})) return true;
   if (std::exchange(state_.map, false)) return true;
+  if (std::exchange(state_.evidence, false)) return true;
   return !std::exchange(state_.tagged, {}).empty();
 }
 
@@ -218,20 +224,30 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     state_.map = !state_.map;
     return true;
   }
+  if (list_key(state_.list, table, key)) return true;
+  if (sort_key(state_.list, table, key, command.message)) return true;
+  return press_plot(known, key);
+}
+
+bool DiagnosePage::press_plot(const Snapshot& known, Key key) {
   if (key == U'f') {
     state_.all_laws = !state_.all_laws;
     return true;
   }
-  if (list_key(state_.list, table, key)) return true;
-  if (sort_key(state_.list, table, key, command.message)) return true;
+  if (key == U'e') {
+    state_.evidence = !state_.evidence;
+    return true;
+  }
   if (pose_key(state_.pose, key)) return true;
   for (const auto& [node, signature] : known.signatures) {
     const Eigen::VectorXd& f = signature->frequency_hz;
-    if (f.size() > 1) {
+    if (f.size() > 1 && !state_.evidence) {
       return range_key(state_.range, key, f[0], f[f.size() - 1]);
     }
   }
-  return false;
+  const FrequencySpan span = frequency_span(*known.frfs);
+  return range_key(
+      state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
 }
 
 std::vector<KeyHelp> DiagnosePage::keys() const {
@@ -242,6 +258,7 @@ std::vector<KeyHelp> DiagnosePage::keys() const {
           {"i", "notes"},
           {"m", state_.map ? "place" : "map"},
           {"s", "sort"},
+          {"e", state_.evidence ? "signature" : "with/without"},
           {"f", "all laws"},
           {"u", "undo"},
           {"^R", "redo"},
@@ -260,12 +277,14 @@ std::string DiagnosePage::help() const {
          "and, for the best, that on data left out of the fit. Numbered ones "
          "make up the verdict together: each is as probable as it says given "
          "the others, the error is that of all. Yellow ones are "
-         "indistinguishable from others with these points. The plot is the "
-         "missing dynamic "
-         "stiffness at the place: a mass falls with the square of frequency, a "
+         "indistinguishable from others with these points. Of an effect at one "
+         "grid the plot is the missing dynamic "
+         "stiffness there: a mass falls with the square of frequency, a "
          "spring is constant, a dashpot is imaginary and rises, an absorber "
          "has a resonance. The dashed curve is the law that fits best, f shows "
-         "all. m maps what each grid alone explains, R tells how firm the "
+         "all. Of all others, and with e, it is the FRF where the effect "
+         "shows most, of the model with and without it. m maps what each grid "
+         "alone explains, R tells how firm the "
          "verdict is. a adds the candidate, or all tagged (*) at once, A all "
          "that the verdict is made of.";
 }

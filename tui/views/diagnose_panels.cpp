@@ -5,6 +5,7 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
+#include "tui/views/frf_curves.hpp"
 #include "tui/widgets/element_grids.hpp"
 #include "tui/widgets/level_marks.hpp"
 #include "tui/widgets/plot.hpp"
@@ -35,27 +36,30 @@ std::vector<updating::SignatureLaw> laws_of(const Signature& s) {
   return laws;
 }
 
-/// In two lines; where that is too narrow, only the best has its size.
+/// What laws leave; sizes stand above, as they were fitted to all data.
 std::vector<std::string> law_lines(const Signature& s, int width) {
-  const auto told = [&s](std::size_t sizes) {
-    std::string words;
-    for (const updating::SignatureLaw& law : laws_of(s)) {
-      words += words.empty() ? "" : ", ";
-      words += law_name(law);
-      if (sizes > 0) words += fmt::format(" ({})", law_size(law, s));
-      sizes -= sizes > 0 ? 1 : 0;
-      words += words.find(" leaves ") == std::string::npos
-                   ? fmt::format(" leaves {} % of it",
-                                 whole_percent(law.unexplained))
-                   : fmt::format(" {} %", whole_percent(law.unexplained));
-    }
-    return words;
-  };
-  for (const std::size_t sizes : {4U, 3U, 2U}) {
-    std::vector<std::string> lines = wrapped(told(sizes), width);
-    if (lines.size() <= 2) return lines;
+  std::string words;
+  for (const updating::SignatureLaw& law : laws_of(s)) {
+    const std::string left = whole_percent(law.unexplained);
+    words += words.empty()
+                 ? fmt::format("{} leaves {} % of it", law_name(law), left)
+                 : fmt::format(", {} {} %", law_name(law), left);
   }
-  return wrapped(told(1), width, 2);
+  return wrapped(words, width, 2);
+}
+
+/// Of that FRF, the errors without and with the effect.
+std::string most_shown(const signal::Frf& frf,
+                       const updating::EffectEvidence& evidence,
+                       int width) {
+  const std::string drop = fmt::format("{} → {}",
+                                       percent(evidence.frf_error_without),
+                                       percent(evidence.frf_error_with));
+  const std::string frf_name = signal::name(frf);
+  return fitting({fmt::format("{}, where it shows most: {}", frf_name, drop),
+                  fmt::format("{}, most: {}", frf_name, drop),
+                  fmt::format("{}: {}", frf_name, drop)},
+                 width);
 }
 
 /// In two lines: words go before numbers and their unit do.
@@ -102,10 +106,57 @@ std::vector<int> grids_of(const acquisition::TestBundle& bundle,
 std::optional<int> signature_grid(const acquisition::TestBundle& bundle,
                                   const Candidate& candidate) {
   if (!candidate.where.elements.empty()) return std::nullopt;
+  if (candidate.effect == updating::nonlinearity) return std::nullopt;
   if (effects::find(candidate.effect).is_mistake()) return std::nullopt;
   const std::vector<int> grids = grids_of(bundle, candidate.where);
   if (grids.size() != 1) return std::nullopt;
   return grids.front();
+}
+
+bool has_signature(
+    const acquisition::TestBundle& bundle,
+    const std::map<int, std::shared_ptr<const updating::Signature>>& signatures,
+    const Candidate& candidate) {
+  const std::optional<int> grid = signature_grid(bundle, candidate);
+  if (!grid) return false;
+  const auto found = signatures.find(*grid);
+  return found == signatures.end() || updating::is_significant(*found->second);
+}
+
+void draw_evidence(Screen& screen,
+                   const Rect& rect,
+                   const EvidenceInput& input,
+                   const PlotRange& range) {
+  const std::vector<signal::Frf>& frfs = input.frfs.frfs;
+  const int width = rect.width - 1;
+  const updating::EffectEvidence* found = input.evidence;
+  std::vector<std::string> lines;
+  Rect body = rect;
+  if (found == nullptr) {
+    lines = {"FRFs with and without it …"};
+  } else {
+    lines = wrapped(drop_words(found->error_without, found->error_with) +
+                        (frfs.empty() ? "" : ", of all FRFs") +
+                        "; all else fitted anew",
+                    width,
+                    2);
+  }
+  if (found != nullptr && found->frf && *found->frf < frfs.size()) {
+    Plot plot = evidence_plot(input.frfs, *found, range);
+    constexpr int roomy = 70;  // for the FRF's name beside those of its curves
+    if (rect.width < roomy) plot.title.clear();
+    lines.insert(lines.begin(),
+                 plot.cursor ? read_out(plot, *plot.cursor)
+                             : most_shown(frfs[*found->frf], *found, width));
+    const int rows = static_cast<int>(lines.size()) + !input.note.empty();
+    const auto parts = split_top(rect, rect.height - rows);
+    draw_plot(screen, parts.first, plot);
+    body = parts.second;
+  }
+  if (!input.note.empty()) lines.push_back(input.note);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    screen.text(body.x + 1, body.y + static_cast<int>(i), lines[i], {}, width);
+  }
 }
 
 void draw_signature(Screen& screen,
@@ -113,31 +164,16 @@ void draw_signature(Screen& screen,
                     const DiagnoseInput& input,
                     const DiagnoseState& state,
                     const Candidate& chosen) {
-  const auto say = [&](const std::string& words, Colour colour) {
-    int y = rect.y + 1;
-    for (const std::string& one : wrapped(words, rect.width - 2)) {
-      screen.text(rect.x + 1, y++, one, {.colour = colour});
-    }
-  };
-  const std::optional<int> grid = signature_grid(input.bundle, chosen);
-  if (!grid) {
-    return say(effects::find(chosen.effect).is_mistake()
-                   ? "a mistake of the set-up: no force at a grid to plot"
-                   : "distributed effect: no plot for a single grid",
-               Colour::Default);
-  }
-  const auto found = input.signatures.find(*grid);
+  const int grid = *signature_grid(input.bundle, chosen);
+  const auto found = input.signatures.find(grid);
   if (found == input.signatures.end()) {
-    return say(fmt::format("signature of grid {} …", *grid), Colour::Grey);
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                fmt::format("signature of grid {} …", grid),
+                {.colour = Colour::Grey});
+    return;
   }
   const Signature& s = *found->second;
-  if (!updating::is_significant(s)) {
-    return say(fmt::format("grid {} alone explains {} % of the misfit: no plot "
-                           "while most of it is elsewhere",
-                           s.node,
-                           whole_percent(s.explained)),
-               Colour::Default);
-  }
   const Plot plot = signature_plot(
       s, state.range, state.all_laws, chosen.effect == "absorber");
   const auto parts = split_top(rect, rect.height - 3);
@@ -164,10 +200,10 @@ void draw_signature(Screen& screen,
 
 void draw_place(Screen& screen,
                 const Rect& rect,
-                const DiagnoseInput& input,
-                const DiagnoseState& state,
+                const Wireframe* wire,
+                const Pose& pose,
                 const std::vector<int>& grids) {
-  if (input.wire == nullptr) return;
+  if (wire == nullptr) return;
   Scene scene;
   const bool few = grids.size() <= 4;
   for (const int node : grids) {
@@ -177,7 +213,7 @@ void draw_place(Screen& screen,
                            few ? fmt::format("{}", node) : std::string()});
   }
   scene.highlighted = grids;
-  draw_wireframe(screen, rect, *input.wire, scene, state.pose);
+  draw_wireframe(screen, rect, *wire, scene, pose);
 }
 
 void draw_map(Screen& screen,

@@ -94,6 +94,41 @@ std::string note_line(const updating::Diagnosis& d,
   return clipped(note, width - text_width(more)) + more;
 }
 
+/// Of a candidate whose place does not explain most: how much it does.
+std::string place_note(const DiagnoseInput& input, const Candidate& chosen) {
+  const std::optional<int> grid = signature_grid(input.bundle, chosen);
+  if (!grid || has_signature(input.bundle, input.signatures, chosen)) return {};
+  return fmt::format("grid {} alone explains {} of the misfit: no signature",
+                     *grid,
+                     percent(input.signatures.at(*grid)->explained));
+}
+
+/// The signature where it says something, else the FRFs.
+void draw_left(Screen& screen,
+               const Rect& rect,
+               const DiagnoseInput& input,
+               const DiagnoseState& state,
+               const Candidate& chosen) {
+  const auto say = [&](const char* words) {
+    screen.text(rect.x + 1, rect.y + 1, words, {.colour = Colour::Grey});
+  };
+  if (!state.evidence &&
+      has_signature(input.bundle, input.signatures, chosen)) {
+    return draw_signature(screen, rect, input, state, chosen);
+  }
+  if (chosen.effect == updating::nonlinearity) {
+    return say("no linear model holds it: no curve of one to plot");
+  }
+  if (input.standing == Standing::Preliminary) {
+    return say("FRFs with and without it come with the verdict");
+  }
+  if (input.frfs == nullptr) return;
+  draw_evidence(screen,
+                rect,
+                {*input.frfs, input.evidence, place_note(input, chosen)},
+                state.range);
+}
+
 /// In place of table and plots, from row `top` on, scrolled down so far.
 void draw_lines(Screen& screen,
                 const std::vector<std::string>& lines,
@@ -169,11 +204,11 @@ Screen diagnose_view(const DiagnoseInput& input,
   const std::vector<int> grids =
       grids_of(input.bundle, chosen.where, input.deck);
   const auto [left, right] = split_left(lower, canvas.width * 5 / 8);
-  draw_signature(screen, left, input, state, chosen);
+  draw_left(screen, left, input, state, chosen);
   if (state.map) {
     draw_map(screen, right, input, state);
   } else {
-    draw_place(screen, right, input, state, grids);
+    draw_place(screen, right, input.wire, state.pose, grids);
   }
   return screen;
 }

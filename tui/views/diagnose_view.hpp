@@ -45,6 +45,7 @@ class DiagnosePage final : public Page {
  private:
   bool press_firmness(const updating::Diagnosis& d, Key key);
   bool press_details(const updating::Diagnosis& d, const Table& table, Key key);
+  bool press_plot(const Snapshot& known, Key key);
   void press_tag(const updating::Diagnosis& d,
                  const Table& table,
                  Command& command);

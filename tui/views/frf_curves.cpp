@@ -108,4 +108,20 @@ Plot frf_plot(const signal::FrfSet& frfs,
   return plot;
 }
 
+Plot evidence_plot(const signal::FrfSet& frfs,
+                   const updating::EffectEvidence& evidence,
+                   const PlotRange& range) {
+  const signal::Frf& frf = frfs.frfs[*evidence.frf];
+  const Eigen::VectorXd f = frfs.frequency_hz();
+  Plot plot = frf_plot(frfs, range);
+  plot.title = signal::name(frf);
+  plot.curves = {
+      measured_curve("measured", f, frf, false),
+      magnitude_curve(
+          "without", f, evidence.without, {Colour::Grey, Pattern::Dotted, '.'}),
+      magnitude_curve(
+          "with", f, evidence.with, {Colour::Orange, Pattern::Dashed, 'o'})};
+  return in_scale(std::move(plot), MagnitudeScale::Logarithmic);
+}
+
 }  // namespace tapfit::tui

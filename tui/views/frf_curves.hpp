@@ -5,6 +5,7 @@
 #include "signal/frf_set/frf_set.hpp"
 #include "tui/widgets/plot.hpp"
 #include "tui/widgets/plot_range.hpp"
+#include "updating/comparison/effect_evidence.hpp"
 
 #include <Eigen/Core>
 
@@ -63,5 +64,12 @@ struct FrequencySpan {
     const signal::FrfSet& frfs,
     const PlotRange& range,
     signal::FrfForm form = signal::FrfForm::Accelerance);
+
+/// Of the FRF where an effect shows most: measured, and of the model without
+/// and with it.
+/// @pre evidence.frf is one of the FRFs
+[[nodiscard]] Plot evidence_plot(const signal::FrfSet& frfs,
+                                 const updating::EffectEvidence& evidence,
+                                 const PlotRange& range);
 
 }  // namespace tapfit::tui

@@ -9,6 +9,7 @@
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"
 #include "tui/widgets/mac_map.hpp"
+#include "tui/workbench/diagnosed_effects.hpp"
 #include "updating/fit/early_stopped_fit.hpp"
 
 #include <fmt/format.h>
@@ -73,6 +74,22 @@ double error_with(const std::vector<updating::Rung>& ladder,
                                            : diagnosis.error_base;
 }
 
+/// With what the diagnosis found: of the ladder where that goes on with it,
+/// since a fit made anew need not end at the same last digit.
+double error_found(const std::vector<updating::Rung>& ladder,
+                   std::size_t effects,
+                   const updating::Diagnosis& d) {
+  std::vector<updating::EffectRef> added;
+  for (const updating::Rung& rung : ladder) {
+    added.push_back({rung.added, rung.where});
+  }
+  const std::vector<updating::EffectRef> found = verdict_of(d);
+  const auto at = std::ranges::search(added, found);
+  return found.empty() || at.empty()
+             ? d.error_best
+             : error_with(ladder, effects + found.size(), d);
+}
+
 void write_diagnoses(Sheet& sheet, const ReportInput& input) {
   if (input.diagnoses.empty()) {
     sheet.line("not diagnosed yet: 5 finds what may be missing");
@@ -88,7 +105,9 @@ void write_diagnoses(Sheet& sheet, const ReportInput& input) {
     sheet.line(fmt::format(
         "    error {} → {}, floor {}",
         percent(before),
-        percent(diagnosis->ladder.empty() ? before : diagnosis->error_best),
+        percent(diagnosis->ladder.empty()
+                    ? before
+                    : error_found(input.ladder, effects, *diagnosis)),
         percent(diagnosis->floor)));
   }
 }
@@ -136,7 +155,7 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
   }
   // Of the last model: rungs hold what was found when each was the last.
   if (!input.parameters.empty()) sheet.heading("Identified");
-  for (const updating::Estimate& p : input.parameters) {
+  for (const updating::Estimate& p : told(input.parameters)) {
     sheet.line(describe(p));
   }
 }

@@ -222,7 +222,8 @@ void draw_convergence(Screen& screen,
 
 void draw_correlation(Screen& screen,
                       const Rect& rect,
-                      const UpdateRecord& record) {
+                      const UpdateRecord& record,
+                      const std::string& look_alikes) {
   const auto [line, rest] = split_top(rect, 1);
   HeatMap map;
   map.title = "|correlation| of the estimates in %";
@@ -237,19 +238,28 @@ void draw_correlation(Screen& screen,
   const auto [body, below] =
       split_top(rest, std::min(rows, std::max(rest.height - 2, 0)));
   draw_heat_map(screen, body, map);
-  std::string words = record.confounded.empty()
-                          ? "All parameters are identifiable."
-                          : "The data cannot tell apart:";
+  std::string words;
   for (const auto& group : record.confounded) {
-    words += fmt::format(" {};", fmt::join(group, " and "));
+    std::vector<std::string> names;
+    for (const std::string& name : group) {
+      names.push_back(parameter_words(name));
+    }
+    words += fmt::format("{} {}. ",
+                         group.size() > 1 ? "The data cannot tell apart"
+                                          : "The data say nothing of",
+                         enumerated(names));
   }
+  if (words.empty()) words = "All parameters are identifiable. ";
+  if (!look_alikes.empty()) {
+    words += fmt::format("The effect is {}.", look_alikes);
+  }
+  const bool unsure = !record.confounded.empty() || !look_alikes.empty();
   int y = below.y + 1;
   for (const std::string& one : wrapped(words, rect.width - 2)) {
     screen.text(rect.x + 1,
                 y++,
                 one,
-                {.colour = record.confounded.empty() ? Colour::Default
-                                                     : Colour::Yellow},
+                {.colour = unsure ? Colour::Yellow : Colour::Default},
                 rect.width - 2);
   }
 }

@@ -5,6 +5,7 @@
 #include "updating/fit/live_fit.hpp"
 #include "updating/fit/update_record.hpp"
 
+#include <string>
 #include <vector>
 
 namespace tapfit::tui {
@@ -16,9 +17,11 @@ void draw_convergence(Screen& screen,
                       const updating::UpdateRecord& record);
 
 /// |correlation| of the estimates in %, and what the data cannot tell apart.
+/// @param look_alikes of the effect, in words; empty: it has none
 void draw_correlation(Screen& screen,
                       const Rect& rect,
-                      const updating::UpdateRecord& record);
+                      const updating::UpdateRecord& record,
+                      const std::string& look_alikes);
 
 /// ||x|| over ||S x - d||, both logarithmic, with its corner; or why there is
 /// none.

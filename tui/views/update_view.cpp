@@ -4,6 +4,7 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
+#include "tui/views/diagnose_panels.hpp"
 #include "tui/views/frf_curves.hpp"
 #include "tui/views/update_panels.hpp"
 #include "tui/widgets/bars.hpp"
@@ -17,6 +18,21 @@
 #include <utility>
 
 namespace tapfit::tui {
+
+std::size_t selected_effect(const std::vector<updating::AddedEffect>& effects,
+                            const UpdateState& state) {
+  if (effects.empty()) return 0;
+  return std::min(state.effect.value_or(effects.size()), effects.size() - 1);
+}
+
+Table frf_names(const signal::FrfSet& frfs) {
+  Table table{{{"FRF"}}, {}};
+  for (const signal::Frf& frf : frfs.frfs) {
+    table.rows.push_back({{signal::name(frf)}, {}});
+  }
+  return table;
+}
+
 namespace {
 
 using updating::Comparison;
@@ -67,28 +83,23 @@ Table parameter_table(const UpdateInput& input, int width) {
   constexpr int least = 12;  // for a name: values are not cut
   Table table{{{"parameter"}, {"value"}}, {}};
   int widest = 0;
-  for (const updating::Estimate& p : input.parameters) {
+  const std::vector<updating::Estimate> parameters = told(input.parameters);
+  for (const updating::Estimate& p : parameters) {
     table.rows.push_back({{"", size_words(p)}, {}});
     widest = std::max(widest, text_width(table.rows.back().cells[1]));
   }
   const int room = std::max(width - widest - 4, least);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
-    table.rows[i].cells[0] =
-        parameter_name(input.parameters[i].name, input, room);
+    table.rows[i].cells[0] = parameter_name(parameters[i].name, input, room);
   }
   return table;
-}
-
-std::size_t selected_effect(const std::vector<updating::AddedEffect>& effects,
-                            const UpdateState& state) {
-  if (effects.empty()) return 0;
-  return std::min(state.effect.value_or(effects.size()), effects.size() - 1);
 }
 
 /// Of the marked effect's fit, or of the last before it that is on. Those of
 /// the effects stand last.
 std::size_t selected_record(const UpdateInput& input,
                             const UpdateState& state) {
+  if (state.uncertain) return 0;
   const auto is_on = [](const updating::AddedEffect& e) { return e.on; };
   const auto marked = static_cast<std::ptrdiff_t>(std::min(
       selected_effect(input.effects, state) + 1, input.effects.size()));
@@ -106,7 +117,8 @@ struct LadderRow {
 
 /// Rungs in their order, with the effects that are off where they were added.
 std::vector<LadderRow> ladder_rows(const UpdateInput& input,
-                                   std::size_t selected) {
+                                   const UpdateState& state) {
+  const std::size_t selected = selected_effect(input.effects, state);
   std::vector<LadderRow> rows;
   std::size_t next = 0;
   const auto is_effect = [&input](std::size_t k) {
@@ -116,8 +128,9 @@ std::vector<LadderRow> ladder_rows(const UpdateInput& input,
   while (next < input.ladder.size() && !is_effect(next)) {
     const updating::Rung& rung = input.ladder[next++];
     const bool base = rung.added == updating::base_rung;
-    rows.push_back(
-        {base ? "base model" : "uncertain properties fitted", &rung, false});
+    rows.push_back({base ? "base model" : "uncertain properties fitted",
+                    &rung,
+                    !base && state.uncertain});
   }
   for (std::size_t k = 0; k < input.effects.size(); ++k) {
     const updating::AddedEffect& added = input.effects[k];
@@ -125,7 +138,7 @@ std::vector<LadderRow> ladder_rows(const UpdateInput& input,
     rows.push_back(
         {fmt::format("{} {}", added.ref.effect, place(added.ref.where)),
          has_rung ? &input.ladder[next++] : nullptr,
-         k == selected});
+         k == selected && !state.uncertain});
   }
   return rows;
 }
@@ -133,7 +146,7 @@ std::vector<LadderRow> ladder_rows(const UpdateInput& input,
 void draw_ladder(Screen& screen,
                  const Rect& rect,
                  const UpdateInput& input,
-                 std::size_t selected) {
+                 const UpdateState& state) {
   double largest = 1e-9;
   for (const updating::Rung& rung : input.ladder) {
     if (std::isfinite(rung.error)) largest = std::max(largest, rung.error);
@@ -142,7 +155,7 @@ void draw_ladder(Screen& screen,
   screen.text(rect.x, rect.y, "ladder", {.colour = Colour::Grey});
   // Room for the number and some of its bar.
   const int names = std::min(rect.width - 14, 30);
-  const std::vector<LadderRow> all = ladder_rows(input, selected);
+  const std::vector<LadderRow> all = ladder_rows(input, state);
   const int rows = std::min(static_cast<int>(all.size()), rect.height - 1);
   // The newest rungs, when not all fit.
   const std::size_t first =
@@ -249,24 +262,54 @@ void draw_record(Screen& screen,
                 {.colour = Colour::Grey});
     return;
   }
-  const updating::UpdateRecord& record =
+  updating::UpdateRecord record =
       (*input.records)[selected_record(input, state)];
+  for (std::string& name : record.parameters) {
+    name = told_name(name, input.parameters);
+  }
   using Panel = UpdateState::Panel;
   if (state.panel == Panel::Convergence) {
     draw_convergence(screen, rect, record);
   } else if (state.panel == Panel::Correlation) {
-    draw_correlation(screen, rect, record);
+    draw_correlation(screen, rect, record, input.look_alikes);
   } else {
     draw_l_curve(screen, rect, record);
   }
 }
 
-Table frf_names(const signal::FrfSet& frfs) {
-  Table table{{{"FRF"}}, {}};
-  for (const signal::Frf& frf : frfs.frfs) {
-    table.rows.push_back({{signal::name(frf)}, {}});
+/// What the marked effect does for the FRFs, and where it sits.
+void draw_effect(Screen& screen,
+                 const Rect& rect,
+                 const UpdateInput& input,
+                 const UpdateState& state) {
+  if (input.effects.empty() && !state.uncertain) {
+    screen.text(rect.x + 1,
+                rect.y + 1,
+                "nothing was added yet: 5 finds what to add",
+                {.colour = Colour::Grey});
+    return;
   }
-  return table;
+  std::string name = "uncertain properties, before any effect";
+  updating::Location where;
+  if (!state.uncertain) {
+    const updating::EffectRef& marked =
+        input.effects[selected_effect(input.effects, state)].ref;
+    where = marked.where;
+    name = fmt::format("{} {}", marked.effect, place(where));
+  }
+  const auto [title, body] = split_top(rect, 1);
+  screen.text(title.x + 1, title.y, name, {.bold = true}, title.width - 2);
+  const auto [left, right] = split_left(body, body.width * 5 / 8);
+  draw_evidence(screen,
+                left,
+                {input.frfs, input.evidence, input.look_alikes},
+                state.range);
+  if (input.bundle == nullptr) return;
+  draw_place(screen,
+             right,
+             input.wire,
+             state.pose,
+             grids_of(*input.bundle, where, input.deck));
 }
 
 }  // namespace
@@ -279,15 +322,20 @@ Screen update_view(const UpdateInput& input,
   const Rect body{0, 1, canvas.width, canvas.height - 1};
   const int half = canvas.width * 7 / 12;
   const Table parameters = parameter_table(input, half);
-  const int wanted = std::max({static_cast<int>(parameters.rows.size()),
-                               static_cast<int>(ladder_rows(input, 0).size()),
-                               2}) +
-                     1;
+  const int wanted =
+      std::max({static_cast<int>(parameters.rows.size()),
+                static_cast<int>(ladder_rows(input, state).size()),
+                2}) +
+      1;
   const auto [upper, lower] =
       split_top(body, std::min(wanted, body.height * 2 / 5));
   const auto [left, right] = split_left(upper, half);
   draw_table(screen, left, parameters, {}, false);
-  draw_ladder(screen, right, input, selected_effect(input.effects, state));
+  draw_ladder(screen, right, input, state);
+  if (state.panel == UpdateState::Panel::Evidence) {
+    draw_effect(screen, lower, input, state);
+    return screen;
+  }
   if (state.panel != UpdateState::Panel::Curves) {
     draw_record(screen, lower, input, state);
     return screen;
@@ -307,87 +355,6 @@ Screen update_view(const UpdateInput& input,
         {.colour = Colour::Grey});
   }
   return screen;
-}
-
-Screen UpdatePage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return update_view({*known.frfs,
-                      *known.ladder,
-                      *known.parameters,
-                      known.effects,
-                      known.base_comparison.get(),
-                      known.comparison.get(),
-                      known.previous.get(),
-                      known.records.get()},
-                     state_,
-                     canvas);
-}
-
-bool UpdatePage::press(const Snapshot& known, Key key, Command& command) {
-  const std::size_t effect = selected_effect(known.effects, state_);
-  if (key == U'x') {
-    state_.scale = next(state_.scale);
-  } else if (key == keys::tab) {
-    constexpr int panels = static_cast<int>(UpdateState::Panel::LCurve) + 1;
-    state_.panel = static_cast<UpdateState::Panel>(
-        (static_cast<int>(state_.panel) + 1) % panels);
-  } else if (key == U'R') {
-    state_.slide = 0.0;
-  } else if (key == U'n') {
-    state_.effect = effect + 1;
-  } else if (key == U'p') {
-    state_.effect = effect == 0 ? 0 : effect - 1;
-  } else if (key == U' ') {
-    command.kind = Command::Kind::Toggle;
-    command.added = effect;
-  } else if (!list_key(state_.list, frf_names(*known.frfs), key)) {
-    const FrequencySpan span = frequency_span(*known.frfs);
-    return range_key(
-        state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
-  }
-  return true;
-}
-
-bool UpdatePage::animate(const Snapshot& known) {
-  if (known.comparison && known.comparison != seen_) {
-    seen_ = known.comparison;
-    state_.slide = known.previous ? 0.0 : 1.0;
-  }
-  if (state_.slide >= 1.0) return false;
-  constexpr double step = 0.06;  // about a second from curve to curve
-  state_.slide = std::min(1.0, state_.slide + step);
-  return true;
-}
-
-std::vector<KeyHelp> UpdatePage::keys() const {
-  return {{"j k", "FRF"},
-          {"Tab", "curves/fit"},
-          {"u", "undo"},
-          {"^R", "redo"},
-          {"Space", "effect off/on"},
-          {"n p", "which"},
-          {"R", "slide again"},
-          {"h l", "cursor"},
-          {"x", "log/lin/dB"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"_", "whole band"},
-          {"/", "filter"}};
-}
-
-std::string UpdatePage::help() const {
-  return "The current model: its uncertain properties and the parameters of "
-         "what was added, ± one standard deviation, and how the error fell "
-         "with each effect (the mark on a bar is the floor). Below, the "
-         "updated model over the measurement, with the base model for "
-         "comparison. u takes the last change back, Ctrl-R does it again. "
-         "Space switches the marked effect off or on, n and p mark another. "
-         "Tab shows how its fit came about: its residual and parameters step "
-         "by "
-         "step, the correlation of the estimates, and the L-curve (how far the "
-         "parameters had to move, |x|, for what is left, |S x - d|). A mesh "
-         "correction takes up what the mesh does to the modes. While a fit "
-         "runs, S ends it and keeps what it has "
-         "reached, Esc discards it.";
 }
 
 }  // namespace tapfit::tui

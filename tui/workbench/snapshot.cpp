@@ -42,6 +42,9 @@ std::string name(Stage stage) {
       return "how firm the verdict is";
     case Stage::Signature:
       return "signature";
+    case Stage::EffectEvidence:
+    case Stage::CandidateEvidence:
+      return "FRFs with and without the effect";
     case Stage::LocalisationMap:
       return "signature of every grid";
   }
@@ -82,6 +85,10 @@ bool Snapshot::has(const Need& need) const {
       return diagnosis != nullptr && !diagnosis->robustness.empty();
     case Stage::Signature:
       return signatures.contains(need.node);
+    case Stage::EffectEvidence:
+      return effect_evidence.contains(need.node);
+    case Stage::CandidateEvidence:
+      return candidate_evidence.contains(need.node);
     case Stage::LocalisationMap:
       return localisation_map != nullptr;
   }
@@ -97,6 +104,8 @@ void Snapshot::forget_model_results() {
   diagnosis.reset();
   preliminary.reset();
   signatures.clear();
+  effect_evidence.clear();
+  candidate_evidence.clear();
   localisation_map.reset();
 }
 

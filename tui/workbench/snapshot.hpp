@@ -41,6 +41,8 @@ enum class Stage {
   Diagnosis,
   Robustness,  ///< of the diagnosis
   Signature,
+  EffectEvidence,     ///< of one of Snapshot::effects
+  CandidateEvidence,  ///< of one of the diagnosis
   LocalisationMap,
 };
 
@@ -50,10 +52,14 @@ enum class Stage {
 /// One result.
 struct Need {
   Stage stage = Stage::Hits;
-  int node = 0;  ///< of a signature; of a run's look: the run
+  /// Of a signature; of a run's look the run, of evidence the index.
+  int node = 0;
 
   auto operator<=>(const Need&) const = default;
 };
+
+/// The index of evidence for what is uncertain in the model.
+inline constexpr int of_uncertain = -1;
 
 struct Snapshot {
   template <class T>
@@ -91,6 +97,10 @@ struct Snapshot {
   /// What was found on the way, with the effects that were in the model then.
   std::vector<std::pair<Effects, Shared<updating::Diagnosis>>> diagnoses;
   std::map<int, Shared<updating::Signature>> signatures;
+  /// What effects do for the model, by their index; of those that the model
+  /// has, and of the diagnosis's candidates.
+  std::map<int, Shared<updating::EffectEvidence>> effect_evidence;
+  std::map<int, Shared<updating::EffectEvidence>> candidate_evidence;
   /// How well each grid alone explains what is missing, the best first.
   Shared<std::vector<updating::GridShare>> localisation_map;
 

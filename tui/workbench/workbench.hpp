@@ -56,6 +56,10 @@ class Workbench {
   virtual std::optional<updating::Diagnosis> known_diagnosis(
       std::size_t effects, const Progress&) = 0;
   virtual updating::Signature signature(int node, const Progress&) = 0;
+  virtual updating::EffectEvidence evidence(
+      const updating::EffectRef& effect,
+      const std::vector<updating::EffectRef>& added,
+      const Progress&) = 0;
   virtual std::vector<updating::GridShare> localisation_map(
       const Progress&) = 0;
   virtual std::vector<updating::UpdateRecord> update_records(

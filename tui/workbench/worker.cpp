@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "modal/poles/cmif.hpp"
 #include "tui/screen/number.hpp"
+#include "tui/workbench/diagnosed_effects.hpp"
 #include "updating/diagnosis/candidate.hpp"
 #include "updating/fit/fit_observer.hpp"
 #include "updating/fit/live_fit.hpp"
@@ -118,6 +119,26 @@ void take_known_diagnoses(Workbench& bench,
   }
 }
 
+void make_evidence(Workbench& bench,
+                   Snapshot& known,
+                   const Need& need,
+                   const Progress& progress) {
+  const auto at = static_cast<std::size_t>(need.node);
+  if (need.stage == Stage::EffectEvidence) {
+    const bool uncertain = need.node == of_uncertain;
+    known.effect_evidence[need.node] = shared(bench.evidence(
+        uncertain ? updating::EffectRef{updating::uncertain_rung, {}}
+                  : known.effects.at(at).ref,
+        {},
+        progress));
+    return;
+  }
+  const updating::Diagnosis& d = *known.diagnosis;
+  const updating::Candidate& candidate = d.candidates.at(at);
+  known.candidate_evidence[need.node] = shared(
+      bench.evidence(ref_of(candidate), found_with(d, candidate), progress));
+}
+
 void make_result(Workbench& bench,
                  Snapshot& known,
                  const Need& need,
@@ -166,6 +187,9 @@ void make_result(Workbench& bench,
     case Stage::Records:
       known.records = shared(bench.update_records(progress));
       return;
+    case Stage::EffectEvidence:
+    case Stage::CandidateEvidence:
+      return make_evidence(bench, known, need, progress);
     case Stage::Diagnosis:
       known.preliminary.reset();
       known.diagnosis = shared(bench.diagnosis(progress));

@@ -10,6 +10,7 @@
 #include "updating/reduction/base_error.hpp"
 #include "updating/robustness/robustness.hpp"
 #include "updating/session/effect_change.hpp"
+#include "updating/session/find_evidence.hpp"
 #include "updating/session/fitted_test.hpp"
 #include "updating/session/session_stages.hpp"
 #include "updating/session/test_of_modes.hpp"
@@ -136,6 +137,13 @@ Signature Session::signature(int node, const Progress& progress) {
   static_cast<void>(stages_->deck->grid_index(node));
   return signature_at(
       stages_->current(), *stages_->ground->fitter, node, progress);
+}
+
+EffectEvidence Session::evidence(const EffectRef& effect,
+                                 const std::vector<EffectRef>& added,
+                                 const Progress& progress) {
+  stages_->prepare_fit(progress);
+  return find_evidence(*stages_, effect, added, progress);
 }
 
 Prediction Session::predict(const std::vector<StatedChange>& changes,

@@ -17,6 +17,7 @@
 #include "signal/estimate/estimate_frfs.hpp"
 #include "updating/catalogue/effect_place.hpp"
 #include "updating/comparison/comparison.hpp"
+#include "updating/comparison/effect_evidence.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/effects/effect_ref.hpp"
 #include "updating/fit/estimate.hpp"
@@ -84,6 +85,13 @@ class Session {
                                            const Progress& progress = {});
   /// Missing dynamic stiffness at a grid, for the current model.
   Signature signature(int node, const Progress& progress = {});
+  /// What an effect does for the current model; see find_evidence.hpp.
+  /// @param added tried along with those of the model, the effect among them
+  ///   where it was not added
+  /// @throws InputError for an effect that has no such place
+  EffectEvidence evidence(const EffectRef& effect,
+                          const std::vector<EffectRef>& added = {},
+                          const Progress& progress = {});
   /// What known changes will do to the structure, by the current model; what is
   /// uncertain is fitted first where nothing was.
   /// @throws InputError as of updating::predict_change

@@ -113,6 +113,7 @@ void SessionStages::drop_current() {
   diagnosis.reset();
   ladder.clear();
   likeliest.reset();
+  tried.reset();
 }
 
 void SessionStages::drop_from_frfs() {

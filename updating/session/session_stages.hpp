@@ -17,6 +17,12 @@
 
 namespace tapfit::updating {
 
+/// The model with more effects, to see what they do.
+struct TriedStack {
+  std::vector<EffectRef> added;
+  EffectStack stack;
+};
+
 struct SessionStages {
   SessionStages(const std::filesystem::path& folder,
                 acquisition::Unreadable unreadable)
@@ -37,6 +43,7 @@ struct SessionStages {
   std::optional<Diagnosis> diagnosis;
   std::vector<Rung> ladder;
   std::optional<Fit> likeliest;
+  std::optional<TriedStack> tried;
 
   /// The deck, read once. @throws InputError
   const structure::Deck& read_model(const Progress& progress);

@@ -330,13 +330,14 @@ TEST(Program, GoesFromNumbersToTheirCurvesAndBack) {
 TEST(Program, ShowsHowTheFitCameAbout) {
   const std::string added = "5\nwait\na\nwait\n";
   const Canvas canvas{120, 35, false};
-  EXPECT_TRUE(holds(played(added + "<Tab>\nwait", canvas),
+  EXPECT_TRUE(holds(played(added + "<Tab><Tab>\nwait", canvas),
                     "fit with added-mass: 3 steps, converged; on the damped "
                     "line"));
-  const std::string correlation = played(added + "<Tab><Tab>\nwait", canvas);
+  const std::string correlation =
+      played(added + "<Tab><Tab><Tab>\nwait", canvas);
   EXPECT_TRUE(holds(correlation, "  42")) << correlation;
   EXPECT_TRUE(holds(correlation, "All parameters are identifiable."));
-  EXPECT_TRUE(holds(played(added + "<Tab><Tab><Tab>\nwait", canvas),
+  EXPECT_TRUE(holds(played(added + "<Tab><Tab><Tab><Tab>\nwait", canvas),
                     "no lambda to choose"));
 }
 

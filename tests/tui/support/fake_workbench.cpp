@@ -125,6 +125,11 @@ class FakeWorkbench final : public Workbench {
   updating::Signature signature(int node, const Progress&) override {
     return fake_signature(node);
   }
+  updating::EffectEvidence evidence(const updating::EffectRef&,
+                                    const std::vector<updating::EffectRef>&,
+                                    const Progress&) override {
+    return updating::effect_evidence(base_, better_);
+  }
   std::vector<updating::GridShare> localisation_map(const Progress&) override {
     return {{5, 0.97}, {6, 0.9}, {3, 0.6}, {1, 0.01}};
   }

@@ -64,6 +64,46 @@ TEST(UpdateView, MarksTheLatestEffectAndShowsItsFit) {
   EXPECT_TRUE(holds(update_view(input, state, {}), "fit with added-mass"));
 }
 
+TEST(UpdateView, ShowsWhatTheMarkedEffectDoes) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  const structure::Deck deck = testing::fake_deck();
+  const Wireframe wire = wireframe(deck);
+  const updating::EffectEvidence evidence = updating::effect_evidence(
+      testing::fake_comparison(0.05), testing::fake_comparison(0.0));
+  const std::vector<updating::Rung> ladder{{"base", {}, 0.388, {}},
+                                           {"stiffness-loss", {}, 0.038, {}}};
+  const std::vector<updating::AddedEffect> effects{
+      {{"stiffness-loss", {.elements = {2}}}, true}};
+  UpdateInput input{frfs, ladder, {}, effects};
+  input.evidence = &evidence;
+  input.bundle = &bundle;
+  input.deck = &deck;
+  input.wire = &wire;
+  input.look_alikes = "indistinguishable from nothing";
+  UpdateState state;
+  state.panel = UpdateState::Panel::Evidence;
+  for (const Canvas& canvas : sizes) {
+    const Screen s = update_view(input, state, canvas);
+    EXPECT_TRUE(holds(s, "┈ without  ╌ with")) << s.to_text();
+    EXPECT_TRUE(holds(s, "error 38.8 % without it, 0.01 % with it"));
+    EXPECT_TRUE(holds(s, "●")) << s.to_text();
+    EXPECT_TRUE(holds(s, "indistinguishable from nothing")) << s.to_text();
+  }
+  state.uncertain = true;
+  EXPECT_TRUE(holds(update_view(input, state, sizes[1]),
+                    "uncertain properties, before any effect"));
+  state.uncertain = false;
+  updating::UpdateRecord record;
+  record.correlation = Eigen::MatrixXd::Identity(1, 1);
+  record.parameters = {"stiffness-loss factor"};
+  const std::vector<updating::UpdateRecord> records{record};
+  input.records = &records;
+  state.panel = UpdateState::Panel::Correlation;
+  EXPECT_TRUE(holds(update_view(input, state, sizes[1]),
+                    "The effect is indistinguishable from nothing"));
+}
+
 // Names give way on the smallest screen, numbers and units do not.
 TEST(UpdateView, CutsNoValue) {
   const signal::FrfSet frfs = testing::fake_frfs();

@@ -265,8 +265,9 @@ TEST(DiagnoseView, ShowsCandidatesSizesAndLookAlikes) {
     EXPECT_TRUE(holds(s, "98.3 %")) << s.to_text();
     EXPECT_TRUE(holds(s, "mass 0.07850 ± 0.00060 kg (95 %: 0.0773 to 0.0797)"));
     EXPECT_TRUE(holds(s, "grid 5 alone explains 99 % of the misfit"));
-    EXPECT_TRUE(holds(s, "a pure mass (80.1 g) leaves 6 % of it, a spring"))
+    EXPECT_TRUE(holds(s, "a pure mass leaves 6 % of it, a spring 84 %"))
         << s.to_text();
+    EXPECT_FALSE(holds(s, "80.1 g")) << "beside 78.5 g that were fitted";
     DiagnoseState second;
     second.list.selected = 1;
     s = diagnose_view({bundle, d, signatures, &wire}, second, canvas);
@@ -286,7 +287,7 @@ TEST(DiagnoseView, DrawsTheLawOfAnAbsorberThatIsSuspected) {
   for (const Canvas& canvas : sizes) {
     d.candidates[0].effect = "added-mass";
     Screen s = diagnose_view(input, {}, canvas);
-    EXPECT_TRUE(holds(s, "23.46 Hz) leaves 5 %")) << s.to_text();
+    EXPECT_TRUE(holds(s, "an absorber leaves 5 %")) << s.to_text();
     EXPECT_FALSE(holds(s, "absorber law")) << s.to_text();
     d.candidates[0].effect = "absorber";
     s = diagnose_view(input, {}, canvas);
@@ -302,46 +303,80 @@ TEST(DiagnoseView, FindsTheGridsOfChannels) {
   EXPECT_EQ(grids_of(bundle, where), std::vector<int>{4});
 }
 
-TEST(DiagnoseView, SaysThatAMistakeOfTheSetUpHasNoSignature) {
-  updating::Diagnosis d = testing::fake_diagnosis();
-  d.candidates[0].effect = "point-mislabelled";
-  const Screen s = diagnose_view(
-      {testing::fake_bundle(), d, {}, nullptr, nullptr}, {}, {120, 35});
-  EXPECT_TRUE(holds(s, "a mistake of the set-up: no force at a grid to plot"))
-      << s.to_text();
-}
-
-// What lost its stiffness is elements, which are places on the structure too.
-TEST(DiagnoseView, ShowsWhereElementsAre) {
+// Sensors and elements are no single grid, and a mistake acts on none: their
+// evidence is what they do for the FRFs.
+TEST(DiagnoseView, ShowsTheFrfsWithAndWithoutWhatIsAtNoSingleGrid) {
   const acquisition::TestBundle bundle = testing::fake_bundle();
   const structure::Deck deck = testing::fake_deck();
   const Wireframe wire = wireframe(deck);
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const updating::EffectEvidence evidence = updating::effect_evidence(
+      testing::fake_comparison(0.05), testing::fake_comparison(0.0));
   updating::Diagnosis d = testing::fake_diagnosis();
-  d.candidates[0].effect = "stiffness-loss";
-  d.candidates[0].where = {};
-  d.candidates[0].where.elements = {2};
-  EXPECT_EQ(grids_of(bundle, d.candidates[0].where, &deck),
-            (std::vector<int>{3, 4, 5, 6}));
+  updating::Candidate& chosen = d.candidates[0];
+  const auto drawn = [&](const updating::EffectEvidence* known,
+                         const Canvas& canvas,
+                         Standing standing = Standing::Final) {
+    return diagnose_view(
+        {bundle, d, {}, &wire, nullptr, standing, &deck, &frfs, known},
+        {},
+        canvas);
+  };
   for (const Canvas& canvas : sizes) {
-    const Screen s = diagnose_view(
-        {bundle, d, {}, &wire, nullptr, Standing::Final, &deck}, {}, canvas);
+    chosen.effect = "stiffness-loss";
+    chosen.where = {.elements = {2}};
+    EXPECT_EQ(grids_of(bundle, chosen.where, &deck),
+              (std::vector<int>{3, 4, 5, 6}));
+    const Screen s = drawn(&evidence, canvas);
     EXPECT_TRUE(holds(s, "●")) << s.to_text();
-    EXPECT_TRUE(holds(s, "distributed effect: no plot for a single grid"))
-        << s.to_text();
+    EXPECT_TRUE(holds(s, "measured  ┈ without  ╌ with")) << s.to_text();
+    EXPECT_TRUE(holds(s, "error 38.8 % without it, 0.01 % with it"));
+    EXPECT_TRUE(holds(s, "where it shows most: ")) << s.to_text();
+    EXPECT_TRUE(holds(drawn(nullptr, canvas), "FRFs with and without it …"));
+    EXPECT_TRUE(holds(drawn(nullptr, canvas, Standing::Preliminary),
+                      "FRFs with and without it come with the verdict"));
+    chosen.effect = "point-mislabelled";
+    chosen.where = {.node = 5};
+    EXPECT_TRUE(holds(drawn(&evidence, canvas), "without  ╌ with"));
+    chosen.effect = updating::nonlinearity;
+    EXPECT_TRUE(holds(drawn(nullptr, canvas), "no linear model holds it"));
   }
+}
+
+// e shows them of an effect at one grid, too.
+TEST(DiagnoseView, ShowsTheFrfsOfAPointEffectOnRequest) {
+  const acquisition::TestBundle bundle = testing::fake_bundle();
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const updating::Diagnosis d = testing::fake_diagnosis();
+  const updating::EffectEvidence evidence = updating::effect_evidence(
+      testing::fake_comparison(0.05), testing::fake_comparison(0.0));
+  const std::map<int, std::shared_ptr<const updating::Signature>> signatures{
+      {5,
+       std::make_shared<const updating::Signature>(
+           testing::fake_signature(5))}};
+  DiagnoseInput input{bundle, d, signatures};
+  input.frfs = &frfs;
+  input.evidence = &evidence;
+  DiagnoseState state;
+  EXPECT_TRUE(holds(diagnose_view(input, state, sizes[0]), "missing z"));
+  state.evidence = true;
+  EXPECT_TRUE(holds(diagnose_view(input, state, sizes[0]), "╌ with"));
 }
 
 // Where the place explains little, its curve is of something else.
 TEST(DiagnoseView, DrawsNoSignatureThatMeansNothing) {
   const acquisition::TestBundle bundle = testing::fake_bundle();
-  updating::Diagnosis d = testing::fake_diagnosis();
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const updating::Diagnosis d = testing::fake_diagnosis();
   updating::Signature z = testing::fake_signature(5);
   z.explained = 0.18;
   const std::map<int, std::shared_ptr<const updating::Signature>> signatures{
       {5, std::make_shared<const updating::Signature>(z)}};
-  const Screen s =
-      diagnose_view({bundle, d, signatures, nullptr}, {}, sizes[1]);
-  EXPECT_TRUE(holds(s, "grid 5 alone explains 18 % of the misfit: no plot"))
+  DiagnoseInput input{bundle, d, signatures};
+  input.frfs = &frfs;
+  const Screen s = diagnose_view(input, {}, sizes[1]);
+  EXPECT_TRUE(
+      holds(s, "grid 5 alone explains 18.0 % of the misfit: no signature"))
       << s.to_text();
   EXPECT_FALSE(holds(s, "missing z")) << s.to_text();
 }
@@ -377,6 +412,18 @@ TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
   EXPECT_FALSE(holds(s, "everywhere"));
   EXPECT_TRUE(holds(s, "error 48.9 % → 48.9 %, floor 2.1 %")) << s.to_text();
   EXPECT_TRUE(holds(s, "error 2.3 % → 2.3 %, floor 2.1 %")) << s.to_text();
+}
+
+// The verdict was added: its error is that of the ladder, not of another fit.
+TEST(ReportView, TellsOneErrorOfTheVerdictAndOfTheModelWithIt) {
+  const updating::Comparison before = testing::fake_comparison(0.05);
+  auto found = std::make_shared<updating::Diagnosis>(testing::fake_diagnosis());
+  std::vector<updating::Rung> ladder{{updating::base_rung, {}, 0.388, {}},
+                                     {"added-mass", {.node = 5}, 0.039, {}}};
+  ReportInput input{before, before, ladder, {}, {{0, found}}, {}};
+  EXPECT_TRUE(holds(report_sheet(input, {100, 0}), "error 38.8 % → 3.9 %"));
+  ladder[1].where.node = 6;  // another was added in its place
+  EXPECT_TRUE(holds(report_sheet(input, {100, 0}), "error 38.8 % → 3.8 %"));
 }
 
 TEST(ReportView, ShowsBeforeAndAfter) {

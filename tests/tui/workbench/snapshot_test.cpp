@@ -38,9 +38,11 @@ const std::vector<Shot> shots{
     {"compare", "4\nwait"},
     {"compare-structure", "4\nwait\n<Tab><Tab><Tab><Tab>"},
     {"diagnose", "5\nwait"},
+    {"diagnose-effect", "5\nwait\ne\nwait"},
     {"diagnose-map", "5\nwait\nm\nwait"},
     {"update", "5\nwait\na\nwait"},
-    {"update-convergence", "5\nwait\na\nwait\n<Tab>\nwait"},
+    {"update-effect", "5\nwait\na\nwait\n<Tab>\nwait"},
+    {"update-convergence", "5\nwait\na\nwait\n<Tab><Tab>\nwait"},
     {"report", "7\nwait"},
     {"help", "5\nwait\n?"},
 };
