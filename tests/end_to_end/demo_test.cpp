@@ -143,6 +143,42 @@ TEST_F(Demo, TheReadmeShowsItsErrorLadder) {
   }
 }
 
+/// What is read in a report beside pictures, numbers left out.
+std::string words_of(std::string html) {
+  for (const std::string tag : {"svg", "style", "script"}) {
+    const std::string close = "</" + tag + ">";
+    for (std::size_t at = html.find("<" + tag); at != std::string::npos;
+         at = html.find("<" + tag, at)) {
+      const std::size_t end = html.find(close, at);
+      html.erase(at, end == std::string::npos ? end : end - at + close.size());
+    }
+  }
+  std::string words;
+  bool in_tag = false;
+  for (const char c : html) {
+    in_tag = c == '<' || (in_tag && c != '>');
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    if (!in_tag && letter) {
+      words += c;
+    } else if (!words.empty() && words.back() != ' ') {
+      words += ' ';
+    }
+  }
+  return words;
+}
+
+// docs/demonstration.html is made by the command that the tutorial names.
+TEST_F(Demo, TheReportInTheDocsIsWhatIsWritten) {
+  const fs::path written = fresh_folder() / "demonstration.html";
+  const auto result = run_tapfit(
+      fmt::format("report '{}' -o '{}'", demo.string(), written.string()));
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  const std::string shown =
+      read_file(TAPFIT_SOURCE_DIR "/docs/demonstration.html");
+  EXPECT_LT(shown.size(), 1000000U);
+  EXPECT_EQ(words_of(read_file(written)), words_of(shown));
+}
+
 /// The demonstration's bundle with another deck in it.
 fs::path with_deck(const fs::path& folder, const std::string& deck) {
   fs::create_directories(folder);
