@@ -96,6 +96,7 @@ std::string note_line(const updating::Diagnosis& d,
 
 /// Of a candidate whose place does not explain most: how much it does.
 std::string place_note(const DiagnoseInput& input, const Candidate& chosen) {
+  if (input.frfs->frfs.empty()) return {};  // modes have no signature
   const std::optional<int> grid = signature_grid(input.bundle, chosen);
   if (!grid || has_signature(input.bundle, input.signatures, chosen)) return {};
   return fmt::format("grid {} alone explains {} of the misfit: no signature",

@@ -378,6 +378,9 @@ TEST(DiagnoseView, DrawsNoSignatureThatMeansNothing) {
   EXPECT_TRUE(
       holds(s, "grid 5 alone explains 18.0 % of the misfit: no signature"))
       << s.to_text();
+  const signal::FrfSet none;  // of a test of modes
+  input.frfs = &none;
+  EXPECT_FALSE(holds(diagnose_view(input, {}, sizes[1]), "explains"));
   EXPECT_FALSE(holds(s, "missing z")) << s.to_text();
 }
 
