@@ -115,6 +115,11 @@ void DiagnosePage::follow(const Snapshot& before, const Snapshot& now) {
   const updating::Diagnosis* fresh = found(now);
   if (old == nullptr || fresh == nullptr || old == fresh) return;
   if (old->candidates.empty()) return;
+  // Nobody chose what happened to lead before there was a verdict.
+  if (standing_of(before) == Standing::Preliminary &&
+      state_.list.selected == 0) {
+    return;
+  }
   const Table table = candidate_table(*old, {}, 80, true);
   const Candidate& chosen = old->candidates[settled(table, state_.list)];
   const auto at = std::ranges::find(fresh->candidates, ref_of(chosen), ref_of);
