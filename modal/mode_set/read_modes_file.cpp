@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -28,6 +29,14 @@ std::string text_of(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// Whether a weight can be made of a standard deviation of that value: their
+/// squares are neither lost beside each other nor without end. 0 is none.
+bool is_scatter(double sd, double value) {
+  constexpr double least = 1e-30;
+  constexpr double most = 1e6;
+  return sd == 0.0 || (sd >= least * value && sd <= most * value);
+}
+
 /// Why a mode cannot have been measured and what to do; empty: it can.
 std::pair<std::string, std::string> fault(const Mode& mode) {
   const auto [f, zeta] = std::pair{mode.frequency_hz, mode.damping_ratio};
@@ -40,20 +49,28 @@ std::pair<std::string, std::string> fault(const Mode& mode) {
             "give a ratio from 0 to below 1 (1 % is 0.01); leave it out where "
             "it is not known"};
   }
-  const bool scatters =
-      std::isfinite(mode.frequency_sd_hz) && mode.frequency_sd_hz >= 0.0 &&
-      mode.shape_sd.allFinite() && (mode.shape_sd.array() >= 0.0).all();
-  if (!scatters) {
-    return {"a standard deviation of it is below 0 or no number",
-            "give what the modes scattered by, or leave it out"};
-  }
   if (!mode.shape.allFinite()) {
     return {"its shape holds values that are no numbers",
             "give a value at every point, or leave the point out of all modes"};
   }
-  if (mode.shape.size() > 0 && mode.shape.isZero(0.0)) {
+  const double largest =
+      mode.shape.size() > 0 ? mode.shape.cwiseAbs().maxCoeff() : 1.0;
+  if (largest == 0.0) {
     return {"its shape is zero at all points",
             "leave the mode out, or give all modes without shapes"};
+  }
+  if (largest < 1e-60 || largest > 1e60) {  // fourth powers of it are finite
+    return {fmt::format("its shape reaches {}", largest),
+            "scale it, for example to 1 where it is largest"};
+  }
+  const auto belongs = [&](double sd) { return is_scatter(sd, largest); };
+  const bool rigid = f == 0.0;  // it is left out
+  if (!(rigid || is_scatter(mode.frequency_sd_hz, f)) ||
+      !std::ranges::all_of(mode.shape_sd, belongs)) {
+    return {
+        "a standard deviation of it is below 0, no number, or beyond "
+        "1e-30 to 1e6 of the value",
+        "give what the modes scattered by, or leave it out"};
   }
   return {};
 }

@@ -256,6 +256,9 @@ TEST_F(Bundle, RefusesWithThePlace) {
   refuses(with("/suspension_hz", 0), "test.json: suspension_hz");
   refuses(with("/suspension_hz", 1e308), "test.json: suspension_hz");
   refuses(with("/block_s", 1e308), "test.json: block_s");
+  // Its square is 0: a weight without end.
+  refuses(with("/uncertain/0/sd_percent", 1e-300),
+          "test.json: uncertain[0].sd_percent");
   refuses(with("/band_hz/1", 1e308), "test.json: band_hz[1]");
   refuses(with("/channels/1/mass_kg", 1e308), "test.json: channels[1].mass_kg");
   refuses(with("/channels/1/height_m", -1e308),

@@ -200,6 +200,12 @@ TEST(CheckMeasured, NamesModeFaultAndRemedy) {
                }).empty());
   EXPECT_FALSE(
       fault([](ModeSet& s) { s.modes[1].frequency_sd_hz = -0.1; }).empty());
+  // Weights of it would be nothing or without end.
+  for (const double sd : {1e-300, 1e300}) {
+    EXPECT_FALSE(
+        fault([=](ModeSet& s) { s.modes[1].frequency_sd_hz = sd; }).empty());
+  }
+  EXPECT_FALSE(fault([](ModeSet& s) { s.modes[1].shape *= 1e-300; }).empty());
   const std::string nan =
       fault([](ModeSet& s) { s.modes[0].shape(1) = std::nan(""); });
   EXPECT_TRUE(has(nan, "mode 1")) << nan;
