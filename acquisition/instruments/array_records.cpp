@@ -29,7 +29,8 @@ bool is_dimension(const Arrays& all, const NamedArray& array) {
 
 bool may_be_record(const Arrays& all, const NamedArray& array) {
   if (array.kind != Kind::Numbers || array.samples() < 2 ||
-      array.name.find('@') != std::string::npos || is_dimension(all, array)) {
+      array.columns() < 1 || array.name.find('@') != std::string::npos ||
+      is_dimension(all, array)) {
     return false;
   }
   const UsualName is = usual_name(array.name);
