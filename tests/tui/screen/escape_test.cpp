@@ -36,16 +36,17 @@ TEST_P(EscapeTest, LeavesAViewForTheScreensMainOne) {
       "q quits"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Views,
-                         EscapeTest,
-                         ::testing::Values(View{"2d", "driving point"},
-                                           View{"2<Tab>", "  coherence"},
-                                           View{"2<Tab><Tab><Tab>", "Im H"},
-                                           View{"3m", "MAC in %"},
-                                           View{"4<Tab><Tab><Tab>", "MAC in %"},
-                                           View{"5m", "alone explain:"},
-                                           View{"6<Tab>",
-                                                "nothing was identified yet"}));
+INSTANTIATE_TEST_SUITE_P(
+    Views,
+    EscapeTest,
+    ::testing::Values(View{"2d", "driving point"},
+                      View{"2<Tab>", "  coherence"},
+                      View{"2<Tab><Tab><Tab>", "Im H"},
+                      View{"3m", "MAC in %"},
+                      View{"4<Tab><Tab><Tab>", "MAC in %"},
+                      View{"5m", "alone explain:"},
+                      View{"6<Tab>", "nothing was added yet"},
+                      View{"6<Tab><Tab>", "nothing was identified yet"}));
 
 TEST(Escape, LeavesTheZoomOnAHit) {
   const std::string main = played("1\nwait\n", canvas);
