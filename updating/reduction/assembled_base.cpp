@@ -52,7 +52,6 @@ AssembledBase::AssembledBase(
   if (!(mass > 0.0)) {
     throw structure::no_density(deck, "the model has no mass");
   }
-  std::vector<MassForm> forms;
   if (options.split) forms = mass_forms(mesh.deck, system);
   if (const structure::SparseMatrix lent =
           regularising_mass(system, options.points, options.high_hz);
@@ -67,12 +66,12 @@ AssembledBase::AssembledBase(
   }
   shift = std::pow(two_pi * options.high_hz * 0.25, 2);
   answers.emplace(system, motions, shift);
-  std::vector<UncertainPart> parts = uncertain_parts(mesh.deck, uncertain);
+  parts = uncertain_parts(mesh.deck, uncertain);
   for (const UncertainPart& part : parts) {
     if (part.M.nonZeros() == 0) continue;
     part_mass.push_back({part.power, structure::total_mass(mesh.deck, part.M)});
   }
-  plain = nothing_released(system, std::move(parts), std::move(forms));
+  plain = nothing_released(system, parts, forms);
 }
 
 std::vector<FormModes> form_modes(const AssembledBase& model,

@@ -41,8 +41,10 @@ struct AssembledBase {
   std::vector<PartMass> part_mass;  ///< of those with mass
   double shift = 0.0;  ///< K + shift M gives static answers [rad^2/s^2]
   std::optional<ResidualFlexibility> answers;
-  ReleasedSystem plain;   ///< the model with nothing released
-  ElementParts elements;  ///< of the mesh
+  std::vector<UncertainPart> parts;
+  std::vector<MassForm> forms;  ///< of mass that it lacks
+  ReleasedSystem plain;         ///< the model with nothing released
+  ElementParts elements;        ///< of the mesh
 };
 
 /// Modes of the other forms that the deck lacks, on the same mesh, at its own

@@ -16,6 +16,30 @@ using Eigen::MatrixXcd;
 using Eigen::MatrixXd;
 using Eigen::VectorXcd;
 
+namespace {
+
+// What unit forces on some degrees of freedom leave, I - (K + s^2 M) V q.
+MatrixXcd forces_left(const structure::System& system,
+                      const MatrixXd& V,
+                      const MatrixXcd& q,
+                      const std::complex<double>& s,
+                      const std::vector<int>& moving) {
+  const MatrixXd re = V * q.real();
+  const MatrixXd im = V * q.imag();
+  MatrixXcd R(V.rows(), q.cols());
+  R.real() = -structure::symmetric_product(system.M, re);
+  R.imag() = -structure::symmetric_product(system.M, im);
+  R *= s * s;
+  R.real() -= structure::symmetric_product(system.K, re);
+  R.imag() -= structure::symmetric_product(system.K, im);
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    R(moving[k], static_cast<Index>(k)) += 1.0;
+  }
+  return R;
+}
+
+}  // namespace
+
 double base_error(const structure::System& system,
                   const ResidualFlexibility& answers,
                   const MatrixXd& V,
@@ -30,8 +54,6 @@ double base_error(const structure::System& system,
   if (moving.empty()) return 0.0;
   const auto count = static_cast<Index>(moving.size());
   const MatrixXd rows = V(moving, Eigen::all);
-  const MatrixXd KV = structure::symmetric_product(system.K, V);
-  const MatrixXd MV = structure::symmetric_product(system.M, V);
   double worst = 0.0;
   for (const double part : {0.3, 0.65, 1.0}) {
     const std::complex<double> s =
@@ -39,10 +61,7 @@ double base_error(const structure::System& system,
     const VectorXcd g = (stiffness.array() + s * s).inverse();
     const MatrixXcd q = g.asDiagonal() * rows.transpose();
     const MatrixXcd H = rows * q;
-    MatrixXcd R = -(KV * q + s * s * (MV * q));
-    for (Index k = 0; k < count; ++k) {
-      R(moving[static_cast<std::size_t>(k)], k) += 1.0;
-    }
+    const MatrixXcd R = forces_left(system, V, q, s, moving);
     MatrixXcd answered(R.rows(), count);
     answered.real() = answers.to(R.real());
     answered.imag() = answers.to(R.imag());

@@ -3,18 +3,17 @@
 #include "updating/effects/stiffness_loss.hpp"
 #include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
-#include "updating/structure/solve/factor.hpp"
 #include "updating/structure/solve/released_patterns.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace tapfit::updating {
@@ -80,27 +79,72 @@ MatrixXd strain_forces(const HeldBase& base, const SparseMatrix& S) {
   return elements.spread(SU * leading(sign * energy, little), base.V.rows());
 }
 
-// Of the structure as it is and of one whose stiffness is another, to each set
-// of forces.
-MatrixXd answers_to(const HeldBase& base,
-                    const SparseMatrix& stiffness,
-                    const std::vector<MatrixXd>& forces) {
-  std::optional<structure::Factor> other;
-  std::vector<MatrixXd> answers;
-  for (const MatrixXd& f : forces) {
-    answers.push_back(f);
-    if (f.cols() == 0) continue;
-    if (!other) {
-      other.emplace(base.motions.reduce(stiffness + base.shift * base.system.M),
-                    base.answers.factor());
-    }
-    answers.back() = orthonormalise(
-        base.system.M,
-        join({base.answers.to(f),
-              base.motions.expand(other->solve(base.motions.project(f)))}),
-        1e-10);
+// Forces where a change acts, the structure's answers to them, and these where
+// it acts: all columns of unit energy.
+struct Answered {
+  MatrixXd forces;
+  MatrixXd answers;
+  MatrixXd moved;
+};
+
+// @param least energy that is worth it, per column
+Answered answered(const HeldBase& base,
+                  const Acting& change,
+                  const MatrixXd& forces,
+                  const VectorXd& least) {
+  const MatrixXd all = base.answers.to(change.spread(forces, base.V.rows()));
+  const MatrixXd moved = change.rows_of(all);
+  const VectorXd energy = forces.cwiseProduct(moved).colwise().sum();
+  std::vector<Index> kept;
+  for (Index k = 0; k < energy.size(); ++k) {
+    if (energy(k) > least(k)) kept.push_back(k);
   }
-  return join(std::move(answers));
+  const VectorXd unit = energy(kept).cwiseSqrt().cwiseInverse();
+  return {forces(Eigen::all, kept) * unit.asDiagonal(),
+          all(Eigen::all, kept) * unit.asDiagonal(),
+          moved(Eigen::all, kept) * unit.asDiagonal()};
+}
+
+// Of the structure A as it is, and of one whose stiffness is changed by C:
+//
+//   (A + C) u = f,   u = X Y,   (X' A X + X' C X) Y = X' f
+//
+// with X the answers of A to f and, step by step, to what is left,
+// f - A X Y - C X Y: conjugate directions, all columns of f at once. All these
+// forces are where C acts.
+// Source: Y. Saad, "Iterative Methods for Sparse Linear Systems", 2003, ch. 6.
+MatrixXd answers_to(const HeldBase& base,
+                    const Acting& change,
+                    const MatrixXd& forces) {
+  // Of an answer's energy, in the square root; FRFs feel the square.
+  constexpr double enough = 1e-3;
+  constexpr int most_steps = 40;
+  const VectorXd nothing = VectorXd::Zero(forces.cols());
+  const Answered first =
+      answered(base, change, change.rows_of(forces), nothing);
+  const MatrixXd& f = first.forces;
+  if (f.cols() == 0) return first.answers;
+  Answered X = first;
+  MatrixXd Y;
+  for (int step = 0; step < most_steps; ++step) {
+    const MatrixXd all = X.forces + symmetric_product(change.A, X.moved);
+    Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
+    solver.setThreshold(1e-10);
+    solver.compute(X.moved.transpose() * all);
+    Y = solver.solve(X.moved.transpose() * f);
+    const Answered next =
+        answered(base,
+                 change,
+                 f - all * Y,
+                 VectorXd::Constant(f.cols(), enough * enough));
+    if (next.forces.cols() == 0) break;
+    X = {join({std::move(X.forces), next.forces}),
+         join({std::move(X.answers), next.answers}),
+         join({std::move(X.moved), next.moved})};
+  }
+  return orthonormalise(base.system.M,
+                        join({first.answers, X.answers.leftCols(Y.rows()) * Y}),
+                        1e-10);
 }
 
 // What moves many released degrees of freedom: the inertia of each motion of
@@ -158,9 +202,9 @@ MatrixXd constraint_modes(const HeldBase& base,
   MatrixXd psi = units;
   if (psi.cols() == 0) return psi;
   const SparseMatrix forces =
-      *released.K * units + base.shift * (*released.M * units);
+      released.K.times(units) + base.shift * released.M.times(units);
   psi.topRows(n) -= base.answers.to(MatrixXd(forces).topRows(n));
-  MatrixXd Mpsi = symmetric_product(*released.M, psi);
+  MatrixXd Mpsi = symmetric_product(released.M, psi);
   MatrixXd K = forces.transpose() * psi;
   if (!seen.empty() && psi.cols() > many) {
     const MatrixXd patterns =
@@ -182,19 +226,20 @@ MatrixXd constraint_modes(const HeldBase& base,
 MatrixXd loss_modes(const HeldBase& base,
                     const LostMatrices& lost,
                     double least) {
-  std::vector<MatrixXd> forces = {strain_forces(base, lost.S)};
-  SparseMatrix K = base.system.K - (1.0 - least) * lost.S;
-  if (lost.N.size() > 0) {
-    K -= (1.0 - effects::thickness_left(least)) * lost.T;
-    // The answers to its forces span those to T's: with both the base had no
-    // more than rounding between them.
-    forces.push_back(strain_forces(base, lost.N));
-  }
-  return answers_to(base, K, forces);
+  const MatrixXd strained = strain_forces(base, lost.S);
+  SparseMatrix change = -(1.0 - least) * lost.S;
+  if (lost.N.size() == 0) return answers_to(base, acting(change), strained);
+  // Where its mass acts, too.
+  change -= (1.0 - effects::thickness_left(least)) * lost.T + 0.0 * lost.N;
+  const Acting acted = acting(change);
+  // The answers to its forces span those to T's: with both the base had no
+  // more than rounding between them.
+  return join({answers_to(base, acted, strained),
+               answers_to(base, acted, strain_forces(base, lost.N))});
 }
 
 MatrixXd added_modes(const HeldBase& base, const SparseMatrix& S, double most) {
-  return answers_to(base, base.system.K + most * S, {strain_forces(base, S)});
+  return answers_to(base, acting(most * S), strain_forces(base, S));
 }
 
 }  // namespace tapfit::updating

@@ -61,16 +61,15 @@ struct LostMatrices {
   structure::SparseMatrix N;
 };
 
-/// Of elements that soften to a share `least` of their stiffness S; costs a
-/// factorisation. FRFs through a base with them are good to 5e-4 down to 4 %
-/// of the stiffness and 5e-5 at half of it.
+/// Of elements that soften to a share `least` of their stiffness S. FRFs
+/// through a base with them are good to 5e-4 down to 4 % of the stiffness and
+/// 5e-5 at half of it.
 /// @return n x columns; those of S orthonormal in M, and those of N
 [[nodiscard]] Eigen::MatrixXd loss_modes(const HeldBase& base,
                                          const LostMatrices& lost,
                                          double least);
 
-/// Of a stiffness S that is added, of one sign, up to `most` times; costs a
-/// factorisation.
+/// Of a stiffness S that is added, of one sign, up to `most` times.
 /// @param S a member's under axial force, its parameter [N], below zero where
 ///   it is pushed
 [[nodiscard]] Eigen::MatrixXd added_modes(const HeldBase& base,

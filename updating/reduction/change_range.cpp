@@ -34,7 +34,7 @@ ChangeRange spring_range(const ReleasedSystem& released,
   // What holds them feels of the rigid structure's modes, with what follows a
   // rigid element: the forces of unit motions, on few degrees of freedom, say.
   const structure::SparseMatrix forces =
-      *released.K * structure::unit_motions(T, held, released.dofs());
+      released.K.times(structure::unit_motions(T, held, released.dofs()));
   const structure::SparseMatrix response =
       forces.topRows(modes.shapes.rows()).transpose();
   double worst = 0.0;

@@ -13,6 +13,7 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using structure::BorderedMatrix;
 using structure::SparseMatrix;
 
 namespace {
@@ -39,34 +40,35 @@ ReducedBase extended_base(const MatrixXd& V,
                           MatrixXd extra,
                           const ReleasedSystem& released,
                           const std::vector<CorrectionPart>& corrections) {
-  const MatrixXd R = m_orthogonal_complement(*released.M, V, std::move(extra));
+  const MatrixXd R = m_orthogonal_complement(released.M, V, std::move(extra));
   const Index a = V.cols();
   const Index b = R.cols();
-  const auto grow = [&](const MatrixXd& known, const SparseMatrix& A) {
+  const auto grow = [&](const MatrixXd& known, const BorderedMatrix& A) {
     MatrixXd whole = MatrixXd::Zero(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
-    if (A.nonZeros() == 0) return whole;
+    if (A.is_zero()) return whole;
     whole.rightCols(b) = seen_through(V, R, A);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     return whole;
   };
-  const std::vector<UncertainPart>& parts = *released.parts;
+  const std::vector<ReleasedPart>& parts = released.parts;
   ReducedBase base;
   base.rows = fixed.rows.with(R.topRows(fixed.rows.rows()));
-  base.K = grow(fixed.K, *released.K);
+  base.K = grow(fixed.K, released.K);
   base.part_power = fixed.part_power;
   base.corrections = fixed.corrections;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     base.K_part.push_back(grow(fixed.K_part[k], parts[k].K));
     base.M_part.push_back(grow(fixed.M_part[k], parts[k].M));
   }
-  const std::vector<MassForm>& forms = *released.forms;
+  const std::vector<ReleasedForm>& forms = released.forms;
   const std::size_t others = corrections.size() - forms.size();
+  const BorderedMatrix nothing;
   for (std::size_t k = 0; k < corrections.size(); ++k) {
     const std::size_t part = parts.size() + k;
     base.K_part.push_back(grow(fixed.K_part[part], corrections[k].beyond));
-    base.M_part.push_back(grow(
-        fixed.M_part[part], k < others ? SparseMatrix() : forms[k - others].M));
+    base.M_part.push_back(
+        grow(fixed.M_part[part], k < others ? nothing : forms[k - others].M));
   }
   MatrixXd left;
   if (!released.held.empty()) {

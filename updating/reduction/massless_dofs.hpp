@@ -7,6 +7,7 @@
 // lies four decades above the band, where all they do is follow.
 #pragma once
 
+#include "updating/structure/solve/bordered_matrix.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <vector>
@@ -19,8 +20,8 @@ namespace tapfit::updating {
 /// @param high_hz top of the band; FRFs up to it change by some 1e-8
 /// @return n x n; empty where none of them is without mass
 [[nodiscard]] structure::SparseMatrix regularising_mass(
-    const structure::SparseMatrix& stiffness,
-    const structure::SparseMatrix& mass,
+    const structure::BorderedMatrix& stiffness,
+    const structure::BorderedMatrix& mass,
     const std::vector<int>& dofs,
     double high_hz);
 

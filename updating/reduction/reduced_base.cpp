@@ -187,8 +187,8 @@ BaseBuilder::BaseBuilder(
   SolvedBase solved =
       kept_or_solved(options.cache,
                      {model.system,
-                      *model.plain.forms,
-                      *model.plain.parts,
+                      model.forms,
+                      model.parts,
                       model.options.points,
                       model.motions.size(),
                       options.high_hz,
@@ -213,7 +213,7 @@ void BaseBuilder::Impl::take(SolvedBase solved) {
   fixed.K = std::move(solved.K);
   fixed.K_part = std::move(solved.K_part);
   fixed.M_part = std::move(solved.M_part);
-  for (const UncertainPart& part : *model.plain.parts) {
+  for (const UncertainPart& part : model.parts) {
     fixed.part_power.push_back(part.power);
   }
   make_lean();
@@ -253,7 +253,7 @@ std::vector<Correction> BaseBuilder::hold_corrections(
                             {{modes, m.modes_hz},
                              {c.modes.topRows(known), c.modes_hz},
                              form_modes(m.model, progress.stop)},
-                            *m.model.plain.forms);
+                            m.model.forms);
   const std::size_t first = m.model.uncertain.size();
   const std::size_t all = first + m.corrected.size();
   for (std::vector<int>& power : fixed.part_power) power.resize(all, 0);
@@ -349,7 +349,7 @@ std::optional<ReleasedSystem> BaseBuilder::Impl::changed(
   if (lent.size() > 0) {
     if (!own) own = model.plain;
     lent.conservativeResize(own->dofs(), own->dofs());
-    own->add_mass(lent);
+    own->M.add(lent);
   }
   return own;
 }
@@ -361,7 +361,7 @@ MatrixXd BaseBuilder::Impl::own_columns(
   const std::optional<ReleasedSystem> own = changed(changes, fresh);
   const ReleasedSystem& released = own ? *own : model.plain;
   const MatrixXd R = m_orthogonal_complement(
-      *released.M, span.V, needed(span, released, changes, fresh));
+      released.M, span.V, needed(span, released, changes, fresh));
   return R.topRows(6 * model.original_grids);
 }
 

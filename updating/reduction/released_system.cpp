@@ -16,15 +16,11 @@ namespace tapfit::updating {
 namespace {
 
 using Eigen::Index;
+using structure::BorderedMatrix;
 using structure::Deck;
 using structure::RefinedDeck;
 using structure::SparseMatrix;
 using Triplets = std::vector<Eigen::Triplet<double>>;
-
-template <typename T>
-std::shared_ptr<const T> shared(T value) {
-  return std::make_shared<const T>(std::move(value));
-}
 
 int dof_index(const Deck& deck, int node, int component) {
   return 6 * static_cast<int>(deck.grid_index(node)) + component - 1;
@@ -83,17 +79,16 @@ std::vector<Triplets> support_springs(const Deck& deck,
   return springs;
 }
 
-// A matrix with the columns of a joint behind: [A, A_B T; sym, T' A_B T].
-SparseMatrix with_joint(const SparseMatrix& A,
-                        const SparseMatrix& side,
-                        SparseMatrix T) {
-  const Index n = A.rows();
+SparseMatrix with_rows(SparseMatrix A, Index rows) {
+  A.conservativeResize(rows, A.cols());
+  return A;
+}
+
+// What the columns of a joint add to a matrix: [0, A_B T; sym, T' A_B T].
+// @param AT A_B T
+SparseMatrix joint_border(const SparseMatrix& AT, const SparseMatrix& T) {
+  const Index n = T.rows();
   const Index m = T.cols();
-  T.conservativeResize(n, m);
-  SparseMatrix A_side = side;
-  A_side.conservativeResize(n, n);
-  const SparseMatrix AT = A_side * T;
-  const SparseMatrix TAT = T.transpose() * AT;
   Triplets all;
   const auto put = [&all](const SparseMatrix& B, Index row, Index column) {
     for (Index c = 0; c < B.outerSize(); ++c) {
@@ -104,13 +99,27 @@ SparseMatrix with_joint(const SparseMatrix& A,
       }
     }
   };
-  put(A, 0, 0);
   put(AT, 0, n);
   put(SparseMatrix(AT.transpose()), n, 0);
-  put(TAT, n, n);
-  SparseMatrix whole(n + m, n + m);
-  whole.setFromTriplets(all.begin(), all.end());
-  return whole;
+  put(SparseMatrix(T.transpose() * AT), n, n);
+  SparseMatrix border(n + m, n + m);
+  border.setFromTriplets(all.begin(), all.end());
+  return border;
+}
+
+// A_B T, A_B over the first of T's degrees of freedom.
+SparseMatrix forces_of(const SparseMatrix& side, const SparseMatrix& T) {
+  const SparseMatrix known = T.topRows(side.rows());
+  return with_rows(side * known, T.rows());
+}
+
+// A matrix of some elements with the columns of a joint behind it.
+SparseMatrix with_joint(SparseMatrix A,
+                        const SparseMatrix& side,
+                        const SparseMatrix& T) {
+  const SparseMatrix border = joint_border(forces_of(side, T), T);
+  A.conservativeResize(border.rows(), border.cols());
+  return A + border;
 }
 
 // A part that the side has not is nothing there.
@@ -136,13 +145,33 @@ struct OpenJoint {
   SparseMatrix T;
 };
 
-// What is on a cut's side of it.
-ElementParts::Sum side_of(const Cut& cut,
-                          const std::set<int>& side,
-                          const ElementParts& elements,
-                          const ReleasedSystem& released) {
-  if (!cut.side.empty()) return elements.of(side);
-  return {*released.K, *released.M, *released.parts};
+// Gives the system's matrices the columns of a joint.
+void border_with(const OpenJoint& joint,
+                 const Deck& deck,
+                 const ElementParts& elements,
+                 ReleasedSystem& released) {
+  const SparseMatrix& T = joint.T;
+  const bool all = joint.side.empty();
+  const auto add = [&](BorderedMatrix& A, const SparseMatrix* side) {
+    A.add(joint_border(all ? A.times(T) : forces_of(*side, T), T));
+  };
+  ElementParts::Sum own;
+  if (!all) own = elements.of(joint.side);
+  add(released.K, &own.K);
+  add(released.M, &own.M);
+  const SparseMatrix none(T.rows(), T.rows());
+  for (ReleasedPart& part : released.parts) {
+    const auto at =
+        std::ranges::find(own.parts, part.plain->power, &UncertainPart::power);
+    const bool found = at != own.parts.end();
+    add(part.K, found ? &at->K : &none);
+    add(part.M, found ? &at->M : &none);
+  }
+  for (ReleasedForm& form : released.forms) {
+    SparseMatrix of_side;
+    if (!all) of_side = mass_of(*form.plain, deck, joint.side);
+    add(form.M, &of_side);
+  }
 }
 
 // Lets what parts move by itself; the springs that hold it, one list for each
@@ -172,19 +201,8 @@ std::vector<Triplets> cut_open(const Cut& cut,
   }
   SparseMatrix T(n, static_cast<Index>(cut.partings.size()));
   T.setFromTriplets(directions.begin(), directions.end());
-  const std::set<int> side(cut.side.begin(), cut.side.end());
-  const ElementParts::Sum own = side_of(cut, side, elements, released);
-  released.K = shared(with_joint(*released.K, own.K, T));
-  released.M = shared(with_joint(*released.M, own.M, T));
-  released.parts = shared(parts_with_joint(*released.parts, own.parts, T));
-  std::vector<MassForm> forms = *released.forms;
-  for (MassForm& form : forms) {
-    const SparseMatrix of_side =
-        cut.side.empty() ? form.M : mass_of(form, deck, side);
-    form.M = with_joint(form.M, of_side, T);
-  }
-  released.forms = shared(std::move(forms));
-  joints.push_back({side, std::move(T)});
+  joints.push_back({{cut.side.begin(), cut.side.end()}, std::move(T)});
+  border_with(joints.back(), deck, elements, released);
   return springs;
 }
 
@@ -273,19 +291,16 @@ void append_preload(const RefinedDeck& mesh,
 
 }  // namespace
 
-void ReleasedSystem::add_mass(const SparseMatrix& more) {
-  M = shared(SparseMatrix(*M + more));
-}
-
 ReleasedSystem nothing_released(const structure::System& system,
-                                std::vector<UncertainPart> parts,
-                                std::vector<MassForm> forms) {
-  return {shared(SparseMatrix(system.K)),
-          shared(SparseMatrix(system.M)),
-          shared(std::move(parts)),
-          shared(std::move(forms)),
-          {},
-          system.free_dofs()};
+                                const std::vector<UncertainPart>& parts,
+                                const std::vector<MassForm>& forms) {
+  ReleasedSystem released{system.K, system.M};
+  for (const UncertainPart& part : parts) {
+    released.parts.push_back({&part, part.K, part.M});
+  }
+  for (const MassForm& form : forms) released.forms.push_back({&form, form.M});
+  released.active = system.free_dofs();
+  return released;
 }
 
 ReleasedSystem release(const RefinedDeck& mesh,
@@ -353,8 +368,8 @@ void add_regularising_mass(const std::vector<int>& free,
     if (loose || held || acted(i) != 0.0) changed.push_back(i);
   }
   const SparseMatrix lent =
-      regularising_mass(*released.K, *released.M, changed, high_hz);
-  if (lent.size() > 0) released.add_mass(lent);
+      regularising_mass(released.K, released.M, changed, high_hz);
+  if (lent.size() > 0) released.M.add(lent);
 }
 
 }  // namespace tapfit::updating

@@ -16,9 +16,9 @@
 #include "updating/reduction/mass_forms.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 #include "updating/structure/mesh/refined_deck.hpp"
+#include "updating/structure/solve/bordered_matrix.hpp"
 #include "updating/structure/solve/system.hpp"
 
-#include <memory>
 #include <vector>
 
 namespace tapfit::updating {
@@ -37,29 +37,42 @@ struct ScaledStiffness {
   [[nodiscard]] bool is_thinned() const { return thickness.M.size() > 0; }
 };
 
-/// Copies share the matrices: most changes leave them as they are.
+/// An uncertain part of the system, with what is released.
+struct ReleasedPart {
+  const UncertainPart* plain = nullptr;
+  structure::BorderedMatrix K;
+  structure::BorderedMatrix M;
+};
+
+/// A form of mass that it lacks, with what is released.
+struct ReleasedForm {
+  const MassForm* plain = nullptr;
+  structure::BorderedMatrix M;
+};
+
+/// Views the system's matrices, its parts and forms, which must outlive it:
+/// what is released is a border of them.
 struct ReleasedSystem {
-  std::shared_ptr<const structure::SparseMatrix> K;
-  std::shared_ptr<const structure::SparseMatrix> M;
-  std::shared_ptr<const std::vector<UncertainPart>> parts;
-  std::shared_ptr<const std::vector<MassForm>> forms =
-      std::make_shared<const std::vector<MassForm>>();
+  structure::BorderedMatrix K;
+  structure::BorderedMatrix M;
+  std::vector<ReleasedPart> parts = {};
+  std::vector<ReleasedForm> forms = {};
   std::vector<ScaledStiffness> scaled = {};  ///< change after change
   std::vector<int> active = {};  ///< degrees of freedom that can move
   /// Of the system's, those that are held besides (held_motions.hpp): K and M
   /// have them as if they were free.
   std::vector<int> held = {};
 
-  [[nodiscard]] Eigen::Index dofs() const { return K->rows(); }
-  void add_mass(const structure::SparseMatrix& more);
+  [[nodiscard]] Eigen::Index dofs() const { return K.rows(); }
 };
 
 /// Nothing released.
 /// @param parts its uncertain parts, as from uncertain_parts()
 /// @param forms that it lacks
-[[nodiscard]] ReleasedSystem nothing_released(const structure::System& system,
-                                              std::vector<UncertainPart> parts,
-                                              std::vector<MassForm> forms = {});
+[[nodiscard]] ReleasedSystem nothing_released(
+    const structure::System& system,
+    const std::vector<UncertainPart>& parts,
+    const std::vector<MassForm>& forms = {});
 
 /// @param mesh the deck that is solved, with what its elements were split into
 /// @param system its matrices

@@ -39,10 +39,10 @@ class ResidualFlexibility {
   [[nodiscard]] Eigen::MatrixXd to_points(const std::vector<int>& points,
                                           std::size_t orders = 2) const;
 
-  /// T' (K + shift M) T.
+ private:
+  // T' (K + shift M) T.
   [[nodiscard]] const structure::Factor& factor() const;
 
- private:
   const structure::System& system_;
   const structure::FreeMotions& motions_;
   double shift_;

@@ -2,12 +2,14 @@
 
 #include "updating/structure/solve/symmetric_product.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tapfit::updating {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
+using structure::BorderedMatrix;
 using structure::SparseMatrix;
 using structure::symmetric_product;
 
@@ -64,7 +66,7 @@ Acting acting(const SparseMatrix& A, std::vector<Index> dofs) {
 Acting acting(const SparseMatrix& A) { return acting(A, acted_dofs(A)); }
 
 MatrixXd seen_through(const MatrixXd& V, const SparseMatrix& A) {
-  return seen_through_all(V, MatrixXd(V.rows(), 0), A);
+  return seen_through(MatrixXd(V.rows(), 0), V, A);
 }
 
 MatrixXd seen_through(const MatrixXd& V,
@@ -73,15 +75,30 @@ MatrixXd seen_through(const MatrixXd& V,
   MatrixXd both(V.cols() + R.cols(), R.cols());
   std::vector<Index> dofs = acted_dofs(A);
   if (2 * static_cast<Index>(dofs.size()) > A.rows()) {
-    const MatrixXd AR = symmetric_product(A, R.topRows(A.rows()));
-    both.topRows(V.cols()).noalias() = V.transpose() * AR.topRows(V.rows());
-    both.bottomRows(R.cols()).noalias() = R.topRows(A.rows()).transpose() * AR;
+    constexpr Index width = 64;  // A R of all columns would be as large as R
+    for (Index first = 0; first < R.cols(); first += width) {
+      const Index count = std::min(width, R.cols() - first);
+      const MatrixXd AR =
+          symmetric_product(A, R.topRows(A.rows()).middleCols(first, count));
+      auto seen = both.middleCols(first, count);
+      seen.topRows(V.cols()).noalias() = V.transpose() * AR.topRows(V.rows());
+      seen.bottomRows(R.cols()).noalias() =
+          R.topRows(A.rows()).transpose() * AR;
+    }
   } else {
     const Acting few = acting(A, std::move(dofs));
     const MatrixXd rows = few.rows_of(R);
     const MatrixXd AR = symmetric_product(few.A, rows);
     both << few.rows_of(V).transpose() * AR, rows.transpose() * AR;
   }
+  return both;
+}
+
+MatrixXd seen_through(const MatrixXd& V,
+                      const MatrixXd& R,
+                      const BorderedMatrix& A) {
+  MatrixXd both = seen_through(V, R, A.shared());
+  if (A.border().nonZeros() > 0) both += seen_through(V, R, A.border());
   return both;
 }
 

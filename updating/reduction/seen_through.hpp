@@ -3,7 +3,7 @@
 // these.
 #pragma once
 
-#include "updating/structure/solve/system.hpp"
+#include "updating/structure/solve/bordered_matrix.hpp"
 
 #include <Eigen/Core>
 
@@ -26,7 +26,7 @@ struct Acting {
 [[nodiscard]] Acting acting(const structure::SparseMatrix& A);
 
 /// @param V n x a
-/// @param A m x m, symmetric, m >= n; what it does behind n is nothing to V
+/// @param A n x n, symmetric
 /// @return V' A V, a x a
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
                                            const structure::SparseMatrix& A);
@@ -38,6 +38,10 @@ struct Acting {
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
                                            const Eigen::MatrixXd& R,
                                            const structure::SparseMatrix& A);
+
+[[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
+                                           const Eigen::MatrixXd& R,
+                                           const structure::BorderedMatrix& A);
 
 /// The same matrix through all of them, where A acts on few degrees of freedom.
 /// @return [V R]' A [V R], (a + b) square

@@ -31,9 +31,9 @@ constexpr double worth_holding = 1e-8;
 Eigen::MatrixXd shapes_of_forms(const AssembledBase& model,
                                 const Eigen::MatrixXd& u,
                                 const std::stop_token& stop) {
-  if (model.plain.forms->empty()) return {};
+  if (model.forms.empty()) return {};
   structure::SparseMatrix M = model.system.M;
-  for (const MassForm& form : *model.plain.forms) {
+  for (const MassForm& form : model.forms) {
     M += form.M;
   }
   Eigen::MatrixXd beside = model.motions.expand(
@@ -96,12 +96,11 @@ SolvedBase solve_base(const AssembledBase& model,
                        deck.path.string(),
                        "check units, supports and the points' directions");
     }
-    const Eigen::MatrixXd projected =
-        V.transpose() * structure::symmetric_product(system.K, V);
-    V = (V * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(projected)
+    V = (V * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                 seen_through(V, system.K))
                  .eigenvectors())
             .eval();
-    solved.K = V.transpose() * structure::symmetric_product(system.K, V);
+    solved.K = seen_through(V, system.K);
     solved.error = base_error(system,
                               *model.answers,
                               V,
@@ -110,7 +109,7 @@ SolvedBase solve_base(const AssembledBase& model,
                               options.high_hz);
     if (solved.error <= exact_enough) break;
   }
-  for (const UncertainPart& part : *model.plain.parts) {
+  for (const UncertainPart& part : model.parts) {
     solved.K_part.push_back(seen_through(V, part.K));
     solved.M_part.push_back(seen_through(V, part.M));
   }

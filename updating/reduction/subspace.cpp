@@ -13,7 +13,7 @@ namespace tapfit::updating {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using structure::SparseMatrix;
+using structure::BorderedMatrix;
 using structure::symmetric_product;
 
 namespace {
@@ -33,7 +33,7 @@ MatrixXd made_orthonormal(const MatrixXd& gram, double least) {
 }
 
 // @param MV M V
-MatrixXd orthonormal(const SparseMatrix& M,
+MatrixXd orthonormal(const BorderedMatrix& M,
                      MatrixXd V,
                      const MatrixXd& MV,
                      double least) {
@@ -48,7 +48,7 @@ MatrixXd orthonormal(const SparseMatrix& M,
 
 }  // namespace
 
-MatrixXd orthonormalise(const SparseMatrix& M, MatrixXd V, double least) {
+MatrixXd orthonormalise(const BorderedMatrix& M, MatrixXd V, double least) {
   const MatrixXd MV = symmetric_product(M, V);
   return orthonormal(M, std::move(V), MV, least);
 }
@@ -74,7 +74,7 @@ MatrixXd join(std::vector<MatrixXd> blocks) {
   return V;
 }
 
-MatrixXd m_orthogonal_complement(const SparseMatrix& M,
+MatrixXd m_orthogonal_complement(const BorderedMatrix& M,
                                  const MatrixXd& V,
                                  MatrixXd columns) {
   MatrixXd& R = columns;

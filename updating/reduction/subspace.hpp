@@ -1,7 +1,7 @@
 // Subspaces of a large model's motions, as columns of tall matrices.
 #pragma once
 
-#include "updating/structure/solve/system.hpp"
+#include "updating/structure/solve/bordered_matrix.hpp"
 
 #include <Eigen/Core>
 
@@ -14,7 +14,7 @@ namespace tapfit::updating {
 
 /// Basis of the columns' span, orthonormal in M. Directions whose share of the
 /// (normalised) columns is below `least` in the square are dropped.
-[[nodiscard]] Eigen::MatrixXd orthonormalise(const structure::SparseMatrix& M,
+[[nodiscard]] Eigen::MatrixXd orthonormalise(const structure::BorderedMatrix& M,
                                              Eigen::MatrixXd V,
                                              double least);
 
@@ -24,7 +24,7 @@ namespace tapfit::updating {
 ///
 /// @param V may be shorter than M: the rows that it lacks are zero
 [[nodiscard]] Eigen::MatrixXd m_orthogonal_complement(
-    const structure::SparseMatrix& M,
+    const structure::BorderedMatrix& M,
     const Eigen::MatrixXd& V,
     Eigen::MatrixXd columns);
 

@@ -122,8 +122,8 @@ void cut_joint(const VirtualModel& model,
         "Name two or more grids of a straight line of mesh edges across "
         "shells, or one grid where bars across the tested direction meet.");
   }
-  structure.K = *cut.K + effect.values[0] * cut.scaled.front().S;
-  structure.M = *cut.M;
+  structure.K = cut.K.whole() + effect.values[0] * cut.scaled.front().S;
+  structure.M = cut.M.whole();
   for (const int dof : cut.active) {
     if (dof >= static_cast<int>(system.dofs())) {
       add_free(dof, structure.motions);

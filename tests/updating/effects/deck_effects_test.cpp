@@ -373,11 +373,12 @@ TEST_F(DeckEffects, JointOfABarReadBackGivesTheSameFrfs) {
                                           ElementParts(whole->deck, {}),
                                           {change});
   const structure::SparseMatrix K =
-      *released.K + joint.p[0] * released.scaled.front().S;
+      released.K.whole() + joint.p[0] * released.scaled.front().S;
   const Eigen::VectorXd direct =
-      structure::eigenmodes(structure::extract(K, released.active),
-                            structure::extract(*released.M, released.active),
-                            8)
+      structure::eigenmodes(
+          structure::extract(K, released.active),
+          structure::extract(released.M.whole(), released.active),
+          8)
           .frequency_hz;
   const Eigen::VectorXd read = structure::modes_of(jointed, 8).frequency_hz;
   // Seven digits of the cards.

@@ -64,7 +64,7 @@ class ChangedMotions : public ::testing::Test {
   double error_at(const ReducedBase& base,
                   const ReleasedSystem& whole,
                   const std::vector<double>& sizes) const {
-    structure::SparseMatrix changed = *whole.K;
+    structure::SparseMatrix changed = whole.K.whole();
     MatrixXd Kr = base.K;
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       const StiffnessTerm& term = base.terms[k];
@@ -72,7 +72,7 @@ class ChangedMotions : public ::testing::Test {
       Kr += (sizes[k] - term.included) * term.S;
     }
     const structure::SparseMatrix K = extract(whole, changed);
-    const structure::SparseMatrix M = extract(whole, *whole.M);
+    const structure::SparseMatrix M = extract(whole, whole.M.whole());
     const std::vector<int> points = points_;
     double error = 0.0;
     for (const double hz : {20.0, 110.0, 233.0, 390.0}) {

@@ -7,7 +7,6 @@
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
-#include <memory>
 #include <vector>
 
 namespace tapfit::updating {
@@ -32,22 +31,22 @@ SparseMatrix random_elements(Index first, Index count) {
 class ExtendedBase : public ::testing::Test {
  protected:
   ExtendedBase() {
-    const SparseMatrix K = random_elements(0, model_dofs);
-    SparseMatrix M(model_dofs, model_dofs);
-    M.setIdentity();
-    M += random_elements(0, 8);
+    M_.setIdentity();
+    M_ += random_elements(0, 8);
     const SparseMatrix none(model_dofs, model_dofs);
-    released_.K = std::make_shared<const SparseMatrix>(K);
-    released_.M = std::make_shared<const SparseMatrix>(M);
-    released_.parts = std::make_shared<const std::vector<UncertainPart>>(
-        std::vector<UncertainPart>{{{1, 0}, random_elements(0, 25), none},
-                                   {{0, 1}, none, random_elements(4, 20)}});
-    V_ = orthonormalise(M, MatrixXd::Random(model_dofs, 5), 1e-10);
-    const MatrixXd reduced = V_.transpose() * (K * V_);
+    parts_ = {{{1, 0}, random_elements(0, 25), none},
+              {{0, 1}, none, random_elements(4, 20)}};
+    released_.K = K_;
+    released_.M = M_;
+    for (const UncertainPart& part : parts_) {
+      released_.parts.push_back({&part, part.K, part.M});
+    }
+    V_ = orthonormalise(M_, MatrixXd::Random(model_dofs, 5), 1e-10);
+    const MatrixXd reduced = V_.transpose() * (K_ * V_);
     V_ *= Eigen::SelfAdjointEigenSolver<MatrixXd>(reduced).eigenvectors();
     fixed_.rows = PointRows(V_);
-    fixed_.K = V_.transpose() * (K * V_);
-    for (const UncertainPart& part : *released_.parts) {
+    fixed_.K = V_.transpose() * (K_ * V_);
+    for (const UncertainPart& part : parts_) {
       fixed_.part_power.push_back(part.power);
       fixed_.K_part.push_back(V_.transpose() * (part.K * V_));
       fixed_.M_part.push_back(V_.transpose() * (part.M * V_));
@@ -74,10 +73,10 @@ class ExtendedBase : public ::testing::Test {
     const MatrixXd W = base.rows.all();
     const Index n = 8 - static_cast<Index>(released_.held.size());
     ASSERT_EQ(W.cols(), n);
-    EXPECT_LT(off(MatrixXd::Identity(n, n), W, *released_.M), rounded);
-    EXPECT_LT(off(base.K, W, *released_.K), rounded);
+    EXPECT_LT(off(MatrixXd::Identity(n, n), W, M_), rounded);
+    EXPECT_LT(off(base.K, W, K_), rounded);
     for (std::size_t k = 0; k < 2; ++k) {
-      const UncertainPart& part = (*released_.parts)[k];
+      const UncertainPart& part = parts_[k];
       EXPECT_LT(off(base.K_part[k], W, part.K), rounded);
       EXPECT_LT(off(base.M_part[k], W, part.M), rounded);
     }
@@ -111,6 +110,9 @@ class ExtendedBase : public ::testing::Test {
     EXPECT_TRUE(term.N_part[0].isZero(0.0));
   }
 
+  SparseMatrix K_ = random_elements(0, model_dofs);
+  SparseMatrix M_{model_dofs, model_dofs};
+  std::vector<UncertainPart> parts_;
   ReleasedSystem released_;
   MatrixXd V_;
   ReducedBase fixed_;

@@ -45,7 +45,8 @@ TEST(Subspace, IsOrthonormalWithoutWhatIsRepeated) {
 TEST(Subspace, IsWhatVectorsHaveBeyondABase) {
   constexpr Index n = 40;
   const SparseMatrix M = bar_mass(n + 5);
-  const MatrixXd V = orthonormalise(bar_mass(n), MatrixXd::Random(n, 6), 0.0);
+  const structure::SparseMatrix own = bar_mass(n);
+  const MatrixXd V = orthonormalise(own, MatrixXd::Random(n, 6), 0.0);
   const MatrixXd inside = V * MatrixXd::Random(6, 2);
   MatrixXd columns = MatrixXd::Zero(n + 5, 4);
   columns.leftCols(2).setRandom();
