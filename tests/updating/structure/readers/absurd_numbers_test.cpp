@@ -363,7 +363,7 @@ TEST_P(AbsurdNumbers, AreRefusedOrHaveModes) {
 INSTANTIATE_TEST_SUITE_P(Cards,
                          AbsurdNumbers,
                          ::testing::ValuesIn(decks),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& tried) { return tried.param.name; });
 
 }  // namespace
 }  // namespace tapfit::structure

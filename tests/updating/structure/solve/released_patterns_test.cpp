@@ -37,7 +37,8 @@ class ReleasedEdge : public ::testing::Test {
       for (int wave = 1; wave < 12; ++wave) {
         const double size = 30.0 * normal(random) / wave;
         for (Index k = 0; k < grids; ++k) {
-          edge_.loads(k, c) += size * std::sin(M_PI * wave * (k + 0.5) / grids);
+          const double along = (static_cast<double>(k) + 0.5) / grids;
+          edge_.loads(k, c) += size * std::sin(M_PI * wave * along);
         }
       }
     }
