@@ -25,14 +25,47 @@ using Eigen::VectorXd;
 using structure::SparseMatrix;
 using structure::symmetric_product;
 
-// u of a unit of each degree of freedom that is released: dofs x count.
-SparseMatrix released_units(const HeldBase& base,
+// What is released, each degree of freedom with the base's answer to it,
+//
+//   psi = E - A^-1 (K + shift M) E
+//
+class Loose {
+ public:
+  Loose(const HeldBase& base, const ReleasedSystem& released)
+      : base_(base), E_(units(base, released)) {
+    if (E_.cols() == 0) return;
+    forces_ = released.K.times(E_) + base.shift * released.M.times(E_);
+  }
+
+  [[nodiscard]] Index count() const { return E_.cols(); }
+  /// u of a unit of each, dofs x count().
+  [[nodiscard]] const SparseMatrix& units() const { return E_; }
+  /// psi Q.
+  [[nodiscard]] MatrixXd moved(const MatrixXd& Q) const {
+    const Index n = base_.V.rows();
+    MatrixXd psi = E_ * Q;
+    psi.topRows(n) -= base_.answers.to(MatrixXd(forces_ * Q).topRows(n));
+    return psi;
+  }
+  /// psi' (K + shift M) psi, that of unit motions in psi: the structure that is
+  /// free to move feels nothing of psi.
+  [[nodiscard]] MatrixXd stiffness(const MatrixXd& psi) const {
+    return forces_.transpose() * psi;
+  }
+
+ private:
+  static SparseMatrix units(const HeldBase& base,
                             const ReleasedSystem& released) {
-  std::vector<int> loose;
-  std::ranges::set_difference(
-      released.active, base.motions.free, std::back_inserter(loose));
-  return structure::unit_motions(base.system.T, loose, released.dofs());
-}
+    std::vector<int> loose;
+    std::ranges::set_difference(
+        released.active, base.motions.free, std::back_inserter(loose));
+    return structure::unit_motions(base.system.T, loose, released.dofs());
+  }
+
+  const HeldBase& base_;
+  SparseMatrix E_;
+  SparseMatrix forces_;
+};
 
 // How much of each vector of V the band moves: those of modes in it fully.
 VectorXd shares(const HeldBase& base) {
@@ -149,26 +182,43 @@ MatrixXd answers_to(const HeldBase& base,
 
 // What moves many released degrees of freedom: the inertia of each motion of
 // the base, as far as the band moves it, and forces at the points, each as
-// large as its energy is one.
+// large as its energy is one. They are too many to be held at once, and their
+// mass is what of it the base feels.
 structure::ReleasedMotions released_motions(const HeldBase& base,
-                                            const MatrixXd& psi,
-                                            const MatrixXd& Mpsi,
-                                            const MatrixXd& K,
+                                            const ReleasedSystem& released,
+                                            const Loose& loose,
                                             const std::vector<int>& seen) {
   constexpr double least = 1e-2;  // of the energy at the band's top
+  constexpr Index width = 64;
   const double top = std::pow(2.0 * std::numbers::pi * base.high_hz, 2);
   const VectorXd energy = base.K.cwiseMax(least * top);
+  const Index count = loose.count();
   const Index motions = base.V.cols();
-  structure::ReleasedMotions result{K, psi.transpose() * Mpsi, {}, top};
-  result.loads.resize(psi.cols(), motions + std::ssize(seen));
+  MatrixXd K(count, count);
+  MatrixXd felt(count, motions);  // psi' M V
+  MatrixXd there(count, std::ssize(seen));
+  for (Index first = 0; first < count; first += width) {
+    const Index own = std::min(width, count - first);
+    MatrixXd Q = MatrixXd::Zero(count, own);
+    Q.middleRows(first, own).setIdentity();
+    const MatrixXd psi = loose.moved(Q);
+    const MatrixXd Mpsi = symmetric_product(released.M, psi);
+    K.middleCols(first, own) = loose.stiffness(psi);
+    felt.middleRows(first, own) =
+        Mpsi.topRows(base.V.rows()).transpose() * base.V;
+    there.middleRows(first, own) = psi(seen, Eigen::all).transpose();
+  }
+  structure::ReleasedMotions result{
+      std::move(K), felt * felt.transpose(), {}, top};
+  result.loads.resize(count, motions + std::ssize(seen));
   result.loads.leftCols(motions) =
-      top * Mpsi.topRows(base.V.rows()).transpose() * base.V *
-      shares(base).cwiseQuotient(energy.cwiseSqrt()).asDiagonal();
+      top * felt * shares(base).cwiseQuotient(energy.cwiseSqrt()).asDiagonal();
   for (std::size_t k = 0; k < seen.size(); ++k) {
+    const auto column = static_cast<Index>(k);
     const double flexibility =
         base.V.row(seen[k]).transpose().cwiseAbs2().cwiseQuotient(energy).sum();
-    result.loads.col(motions + static_cast<Index>(k)) =
-        psi.row(seen[k]).transpose() / std::sqrt(std::max(flexibility, 1e-300));
+    result.loads.col(motions + column) =
+        there.col(column) / std::sqrt(std::max(flexibility, 1e-300));
   }
   return result;
 }
@@ -189,8 +239,6 @@ std::vector<structure::ReleasedSprings> released_springs(
 
 }  // namespace
 
-// (K + shift M) psi = 0 where the structure is free to move, so that the
-// stiffness of q is that of unit motions in psi: f' psi.
 MatrixXd constraint_modes(const HeldBase& base,
                           const ReleasedSystem& released,
                           const std::vector<ChangeRange>& ranges,
@@ -198,23 +246,18 @@ MatrixXd constraint_modes(const HeldBase& base,
   // Fewer are as quick as they are.
   constexpr Index many = 100;
   const Index n = base.system.dofs();
-  const SparseMatrix units = released_units(base, released);
-  MatrixXd psi = units;
-  if (psi.cols() == 0) return psi;
-  const SparseMatrix forces =
-      released.K.times(units) + base.shift * released.M.times(units);
-  psi.topRows(n) -= base.answers.to(MatrixXd(forces).topRows(n));
-  MatrixXd Mpsi = symmetric_product(released.M, psi);
-  MatrixXd K = forces.transpose() * psi;
-  if (!seen.empty() && psi.cols() > many) {
-    const MatrixXd patterns =
-        released_patterns(released_motions(base, psi, Mpsi, K, seen),
-                          released_springs(units, released, ranges));
-    psi = (psi * patterns).eval();
-    Mpsi = (Mpsi * patterns).eval();
-    K = (patterns.transpose() * K * patterns).eval();
+  const Loose loose(base, released);
+  if (loose.count() == 0) return MatrixXd(released.dofs(), 0);
+  MatrixXd patterns = MatrixXd::Identity(loose.count(), loose.count());
+  if (!seen.empty() && loose.count() > many) {
+    patterns =
+        released_patterns(released_motions(base, released, loose, seen),
+                          released_springs(loose.units(), released, ranges));
   }
-  const MatrixXd Q = driven(base, Mpsi, K);
+  MatrixXd psi = loose.moved(patterns);
+  const MatrixXd Mpsi = symmetric_product(released.M, psi);
+  const MatrixXd Q =
+      driven(base, Mpsi, patterns.transpose() * loose.stiffness(psi));
   std::vector<MatrixXd> both;
   both.push_back(std::move(psi));
   both.push_back(base.answers.to(Mpsi.topRows(n) * Q));

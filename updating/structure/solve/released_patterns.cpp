@@ -12,7 +12,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 // A motion that strains nothing has this share of the energy at the band's top.
 constexpr double least_energy = 1e-2;
@@ -48,16 +47,13 @@ class Patterns {
           known *
           (known.transpose() * known).ldlt().solve(known.transpose() * lacking);
     }
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> gram(lacking.transpose() *
-                                                       lacking);
-    const VectorXd& d = gram.eigenvalues();
-    const Index fresh = (d.array() > negligible * negligible).count();
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> energies(lacking *
+                                                           lacking.transpose());
+    const Index fresh =
+        (energies.eigenvalues().array() > negligible * negligible).count();
     if (fresh == 0) return;
-    const MatrixXd directions =
-        lacking * gram.eigenvectors().rightCols(fresh) *
-        d.tail(fresh).cwiseSqrt().cwiseInverse().asDiagonal();
     MatrixXd wider(K.rows(), span_.cols() + fresh);
-    wider << span_, U.solve(directions);
+    wider << span_, U.solve(energies.eigenvectors().rightCols(fresh));
     span_ = std::move(wider);
   }
 

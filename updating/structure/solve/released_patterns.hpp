@@ -21,7 +21,7 @@ namespace tapfit::structure {
 
 struct ReleasedMotions {
   Eigen::MatrixXd K;      ///< psi' K psi, q x q
-  Eigen::MatrixXd M;      ///< psi' M psi
+  Eigen::MatrixXd M;      ///< psi' M psi, or what of it counts up to the top
   Eigen::MatrixXd loads;  ///< q x any: b, of motions and forces of unit energy
   double top = 0.0;       ///< of the band [rad^2/s^2]
 };
