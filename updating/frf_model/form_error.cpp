@@ -64,7 +64,8 @@ class Scaled {
     Weighed result;
     const Index k = along_.size();
     Rows solved(k, 1 + moved_.cols());
-    solved << along_, moved_;
+    solved.col(0) = along_;
+    if (moved_.size() > 0) solved.rightCols(moved_.cols()) = moved_;
     result.volume = solve(h, solved);
     const double own = v.whole - h * along_.dot(solved.col(0));
     result.square = g * std::max(own, 1e-30);

@@ -140,24 +140,26 @@ Answered answered(const HeldBase& base,
 
 // Of the structure A as it is, and of one whose stiffness is changed by C:
 //
-//   (A + C) u = f,   u = X Y,   (X' A X + X' C X) Y = X' f
+//   A u = f,   (A + C) (u + w) = f,   w = X Y,   X' (A + C) X Y = -X' C u
 //
-// with X the answers of A to f and, step by step, to what is left,
-// f - A X Y - C X Y: conjugate directions, all columns of f at once. All these
-// forces are where C acts.
+// with X the answers of A to what is left: -C u first, then -C u - (A + C) w,
+// conjugate directions, all columns at once. All these forces are where C acts.
 // Source: Y. Saad, "Iterative Methods for Sparse Linear Systems", 2003, ch. 6.
 MatrixXd answers_to(const HeldBase& base,
                     const Acting& change,
                     const MatrixXd& forces) {
-  // Of an answer's energy, in the square root; FRFs feel the square.
-  constexpr double enough = 1e-3;
+  // Of the energy of what w begins with, in the square root.
+  constexpr double enough = 1e-4;
   constexpr int most_steps = 40;
-  const VectorXd nothing = VectorXd::Zero(forces.cols());
-  const Answered first =
-      answered(base, change, change.rows_of(forces), nothing);
-  const MatrixXd& f = first.forces;
-  if (f.cols() == 0) return first.answers;
-  Answered X = first;
+  constexpr double rounding = 1e-12;  // of a unit energy
+  const Answered plain = answered(
+      base, change, change.rows_of(forces), VectorXd::Zero(forces.cols()));
+  Answered X = answered(base,
+                        change,
+                        -symmetric_product(change.A, plain.moved),
+                        VectorXd::Constant(plain.forces.cols(), rounding));
+  if (X.forces.cols() == 0) return plain.answers;
+  const MatrixXd f = X.forces;
   MatrixXd Y;
   for (int step = 0; step < most_steps; ++step) {
     const MatrixXd all = X.forces + symmetric_product(change.A, X.moved);
@@ -176,7 +178,7 @@ MatrixXd answers_to(const HeldBase& base,
          join({std::move(X.moved), next.moved})};
   }
   return orthonormalise(base.system.M,
-                        join({first.answers, X.answers.leftCols(Y.rows()) * Y}),
+                        join({plain.answers, X.answers.leftCols(Y.rows()) * Y}),
                         1e-10);
 }
 

@@ -52,9 +52,10 @@ class Patterns {
     const Index fresh =
         (energies.eigenvalues().array() > negligible * negligible).count();
     if (fresh == 0) return;
-    MatrixXd wider(K.rows(), span_.cols() + fresh);
-    wider << span_, U.solve(energies.eigenvectors().rightCols(fresh));
-    span_ = std::move(wider);
+    const Index known = span_.cols();
+    span_.conservativeResize(K.rows(), known + fresh);
+    span_.rightCols(fresh) =
+        U.solve(MatrixXd(energies.eigenvectors().rightCols(fresh)));
   }
 
   [[nodiscard]] MatrixXd span() && { return std::move(span_); }
