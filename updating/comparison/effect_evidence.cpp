@@ -17,7 +17,7 @@ EffectEvidence effect_evidence(const Comparison& without,
   const auto drop = [&](std::size_t frf) {
     const double before = without.frf_error[frf];
     const double after = with.frf_error[frf];
-    return before * before - after * after;
+    return (before - after) * (before + after);
   };
   for (std::size_t frf = 0; frf < count; ++frf) {
     if (!found.frf || drop(frf) > drop(*found.frf)) found.frf = frf;
