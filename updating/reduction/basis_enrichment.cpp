@@ -112,11 +112,10 @@ MatrixXd strain_forces(const HeldBase& base, const SparseMatrix& S) {
   return elements.spread(SU * leading(sign * energy, little), base.V.rows());
 }
 
-// Forces where a change acts, the structure's answers to them, and these where
-// it acts: all columns of unit energy.
+// Forces where a change acts, and what the structure's answers to them move
+// there: all columns of unit energy.
 struct Answered {
   MatrixXd forces;
-  MatrixXd answers;
   MatrixXd moved;
 };
 
@@ -125,8 +124,8 @@ Answered answered(const HeldBase& base,
                   const Acting& change,
                   const MatrixXd& forces,
                   const VectorXd& least) {
-  const MatrixXd all = base.answers.to(change.spread(forces, base.V.rows()));
-  const MatrixXd moved = change.rows_of(all);
+  const MatrixXd moved =
+      change.rows_of(base.answers.to(change.spread(forces, base.V.rows())));
   const VectorXd energy = forces.cwiseProduct(moved).colwise().sum();
   std::vector<Index> kept;
   for (Index k = 0; k < energy.size(); ++k) {
@@ -134,7 +133,6 @@ Answered answered(const HeldBase& base,
   }
   const VectorXd unit = energy(kept).cwiseSqrt().cwiseInverse();
   return {forces(Eigen::all, kept) * unit.asDiagonal(),
-          all(Eigen::all, kept) * unit.asDiagonal(),
           moved(Eigen::all, kept) * unit.asDiagonal()};
 }
 
@@ -158,10 +156,9 @@ MatrixXd answers_to(const HeldBase& base,
                         change,
                         -symmetric_product(change.A, plain.moved),
                         VectorXd::Constant(plain.forces.cols(), rounding));
-  if (X.forces.cols() == 0) return plain.answers;
   const MatrixXd f = X.forces;
-  MatrixXd Y;
-  for (int step = 0; step < most_steps; ++step) {
+  MatrixXd Y(0, f.cols());
+  for (int step = 0; step < most_steps && f.cols() > 0; ++step) {
     const MatrixXd all = X.forces + symmetric_product(change.A, X.moved);
     Eigen::CompleteOrthogonalDecomposition<MatrixXd> solver;
     solver.setThreshold(1e-10);
@@ -174,11 +171,11 @@ MatrixXd answers_to(const HeldBase& base,
                  VectorXd::Constant(f.cols(), enough * enough));
     if (next.forces.cols() == 0) break;
     X = {join({std::move(X.forces), next.forces}),
-         join({std::move(X.answers), next.answers}),
          join({std::move(X.moved), next.moved})};
   }
+  const MatrixXd both = join({plain.forces, X.forces.leftCols(Y.rows()) * Y});
   return orthonormalise(base.system.M,
-                        join({plain.answers, X.answers.leftCols(Y.rows()) * Y}),
+                        base.answers.to(change.spread(both, base.V.rows())),
                         1e-10);
 }
 

@@ -3,6 +3,7 @@
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace tapfit::updating {
@@ -20,8 +21,15 @@ const structure::Factor& ResidualFlexibility::factor() const {
 }
 
 MatrixXd ResidualFlexibility::to(const MatrixXd& forces) const {
-  if (forces.cols() == 0) return MatrixXd::Zero(system_.dofs(), 0);
-  return motions_.expand(factor().solve(motions_.project(forces)));
+  // What a solution needs besides is as long as the model, several times.
+  constexpr Index width = 16;
+  MatrixXd answers(system_.dofs(), forces.cols());
+  for (Index first = 0; first < forces.cols(); first += width) {
+    const Index count = std::min(width, forces.cols() - first);
+    answers.middleCols(first, count) = motions_.expand(
+        factor().solve(motions_.project(forces.middleCols(first, count))));
+  }
+  return answers;
 }
 
 MatrixXd ResidualFlexibility::to_points(const std::vector<int>& points,
