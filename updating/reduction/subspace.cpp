@@ -95,8 +95,10 @@ MatrixXd m_orthogonal_complement(const BorderedMatrix& M,
     MR = MatrixXd(MR(Eigen::all, kept));
   }
   // What the second pass took off R since is in V's span, to which R is
-  // orthogonal: R' MR is as if taken now.
-  return orthonormal(M, std::move(R), MR, 1e-12);
+  // orthogonal: R' MR is as if taken now. Down to its rounding: what turns
+  // grids that have next to no mass is a small share of all columns, and yet a
+  // mode may hang on it.
+  return orthonormal(M, std::move(R), MR, 1e-14);
 }
 
 }  // namespace tapfit::updating
