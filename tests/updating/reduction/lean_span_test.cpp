@@ -96,8 +96,8 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereStiffnessIsLost) {
   }
 }
 
-// Of the 164 rotations of a plate that is held all round, split, fits get the
-// few patterns that the band moves.
+// A plate that is held all round may turn and move there by itself in more than
+// a hundred ways: fits get the few patterns of them that the band moves.
 TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereHundredsGiveWay) {
   bundle_.uncertain = {{"property", 1, "t", 5.0}};
   Location edge;
@@ -109,31 +109,35 @@ TEST_F(LeanSpan, AnswersAsTheWholeBaseWhereHundredsGiveWay) {
     deck_.constraints.push_back({grid.id, "123456"});
     edge.nodes.push_back(grid.id);
   }
-  edge.variant = "rotation";
+  edge.variant = "both";
   for (acquisition::Run& run : bundle_.runs) {
     run.sensors = {{1, {14, 3, 1}}, {2, {36, 3, -1}}};
     if (run.hammer.dof.node != 36) run.hammer.dof.node = 19;
   }
   BaseOptions options = support::plate_base(bundle_, deck_);
   options.split = true;
-  options.high_hz = 3000.0;
+  options.high_hz = 1000.0;
   const BaseBuilder bases(deck_, bundle_.uncertain, options, Progress{});
   const StiffnessChange change{
       ChangeKind::Support, {"soft-support", edge}, context_.component};
   const FrfModel wide = model(bases.build({}, {change}, BaseUse::Scan));
   const FrfModel narrow = model(bases.build({}, {change}, BaseUse::Fit));
   EXPECT_LT(narrow.base().size(), wide.base().size());
-  const StiffnessTerm& term = narrow.base().terms.front();
-  const Eigen::VectorXcd s = damped_line({300.0, 3000.0}, 20.0, {0.03, 80});
+  const std::vector<StiffnessTerm>& terms = narrow.base().terms;
+  ASSERT_EQ(terms.size(), 2u);
+  const auto size_at = [](const StiffnessTerm& term, double share) {
+    return std::pow(term.lower, 1.0 - share) * std::pow(term.upper, share);
+  };
+  const Eigen::VectorXcd s = damped_line({100.0, 1000.0}, 10.0, {0.03, 80});
   for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     ModelState state;
     state.factor = {1.0};
-    const double p =
-        std::pow(term.lower, 1.0 - share) * std::pow(term.upper, share);
-    state.effects = {{&effects::find("soft-support"), edge, {p}}};
+    state.effects = {{&effects::find("soft-support"),
+                      edge,
+                      {size_at(terms[0], share), size_at(terms[1], 0.7)}}};
     const Eigen::MatrixXcd whole = wide.respond(state, s, false).H;
     const Eigen::MatrixXcd lean = narrow.respond(state, s, false).H;
-    EXPECT_LT((lean - whole).norm(), 1e-4 * whole.norm()) << p;
+    EXPECT_LT((lean - whole).norm(), 1e-4 * whole.norm()) << share;
   }
 }
 
