@@ -20,7 +20,7 @@ void add_held_by_prior(const std::vector<PropertyName>& properties,
     if (found == parameters.end() || !(found->value > 0.0)) continue;
     const double away =
         std::log(found->value / property.nominal) / property.prior_sd;
-    if (std::abs(away) < far) continue;
+    if (!(std::abs(away) >= far)) continue;
     held.push_back(fmt::format(
         "{} ended {:.1f} standard deviations of its prior {} the model's "
         "value (`sd_percent` {:g} in test.json holds it)",

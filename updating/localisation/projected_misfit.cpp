@@ -27,7 +27,10 @@ Residuals prior_rows(const Fit& current,
   if (prior.sd.size() != parameters) {
     return {VectorXd(0), MatrixXd(0, parameters)};
   }
-  const double unit = residual / std::sqrt(effective_data(target));
+  // More than all of what was measured is no scatter: a model in other units
+  // would have its priors count a thousandfold once they are put right.
+  const double unit =
+      std::min(residual, 1.0) / std::sqrt(effective_data(target));
   Residuals rows = prior_residuals(prior, pack(current.result.state));
   rows.r *= unit;
   rows.J *= unit;

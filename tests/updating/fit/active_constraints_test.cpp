@@ -28,6 +28,12 @@ TEST(HeldBack, ByAPriorThatIsNarrow) {
   EXPECT_NE(texts[0].find("`sd_percent` 1 "), std::string::npos) << texts[0];
 }
 
+// What no prior is told of is held by none.
+TEST(HeldBack, ByNoPriorWhereNoneIsTold) {
+  EXPECT_TRUE(
+      active_constraints({{"E:1", "Pa", 7e10, 0.0}}, {modulus(7e10)}).empty());
+}
+
 TEST(HeldBack, ByABound) {
   EXPECT_TRUE(held({{"added-mass mass_kg", 0.1, 0.01, 0.08, 0.12}}).empty());
   const auto texts =
