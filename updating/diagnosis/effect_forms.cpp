@@ -2,9 +2,12 @@
 
 #include "acquisition/foundation/parallel.hpp"
 #include "updating/effects/effect_instance.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <initializer_list>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -61,6 +64,24 @@ std::vector<EffectInstance> plain_ones(const EffectInstance& own,
   return plain;
 }
 
+// Of a channel's gain the nearest that a unit explains.
+std::optional<EffectInstance> unit_of(const EffectInstance& own,
+                                      const effects::TestContext& context) {
+  const effects::Effect& unit = effects::unit_factor();
+  std::optional<EffectInstance> nearest;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Location& place : unit.places(context)) {
+    const std::vector<effects::Effect::Fixed> size = unit.fixed(place);
+    const bool same = place.channels == own.where.channels;
+    if (!same || !place.runs.empty() || size.empty()) continue;
+    const double off = std::abs(std::log(own.p.front() / size.front().value));
+    if (off >= least) continue;
+    least = off;
+    nearest = placed(unit, place, context);
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<EffectInstance> both_of(const EffectInstance& one,
@@ -101,9 +122,12 @@ std::optional<Fit> in_plain_form(const Fit& fit,
   // Of log likelihood: less is the plain one under another name.
   constexpr double clearly = 1.0;
   const EffectInstance& own = fit.effects[k];
-  if (!is_form(own)) return std::nullopt;
-  const std::vector<EffectInstance> plain =
-      plain_ones(own, fitter.problem().context);
+  const effects::TestContext& context = fitter.problem().context;
+  std::vector<EffectInstance> plain;
+  if (is_form(own)) plain = plain_ones(own, context);
+  if (own.effect == &effects::channel_gain()) {
+    if (auto unit = unit_of(own, context)) plain.push_back(*std::move(unit));
+  }
   std::vector<Fit> fits(plain.size());
   const Progress quiet{{}, progress.stop};
   for_each_parallel(plain.size(), [&](std::size_t n) {
