@@ -67,6 +67,7 @@ std::vector<std::string> all_words(const Effect& effect,
   }
   const bool of_channels = effect.entry() == effects::Entry::Measurement;
   if (context.deck == nullptr && !of_channels) return {};
+  if (effect.corrects_deck()) return effect.variants();
   if (effect.sits() == effects::Sits::OnElements) return element_ids(context);
   if (kind == ChangeKind::Joint) return grid_ids(context);
   return catalogue_places(effect, context);

@@ -31,7 +31,6 @@ std::string words_of(const std::string& name) {
   if (name == "base") return "model as delivered";
   if (name == "none") return "nothing missing";
   if (name == updating::nonlinearity) return "nonlinear behaviour";
-  if (name == "card-swap") return "numbers of the deck written down wrongly";
   for (const effects::Effect* effect : effects::catalogue()) {
     if (effect->name() == name) return effect->words();
   }

@@ -20,7 +20,7 @@ std::span<const Effect* const> catalogue() {
       &absorber(),         &channel_gain(), &channel_delay(),
       &channel_polarity(), &channel_swap(), &point_mislabelled(),
       &direction_wrong(),  &unit_factor(),  &support_mismatch(),
-      &damping_law(),
+      &card_swap(),        &damping_law(),
   };
   return effects;
 }

@@ -134,6 +134,7 @@ bool is_meant(const Location& want,
       want.nodes.empty() && !effect.at_sheet_points() && !is_held(where);
   if (!open && want.nodes != where.nodes) return false;
   if (!want.channels.empty() && !same_channels(want, where)) return false;
+  if (!holds_all(where.elements, want.elements)) return false;
   return want.variant.empty() || want.variant == where.variant;
 }
 
@@ -201,6 +202,11 @@ std::string remedy(const effects::Effect& effect,
         fmt::join(effect.variants(), ", "),
         effect.variants().front());
   }
+  if (effect.corrects_deck()) {
+    return fmt::format("name an element with the card, and one of {} (60:{})",
+                       fmt::join(effect.variants(), ", "),
+                       effect.variants().front());
+  }
   if (sits_on_channels(effect)) {
     return "name a channel of the test, or two joined with \":\"";
   }
@@ -223,6 +229,7 @@ bool names_sheet_place(const effects::Effect& effect,
 
 // What is written behind the @, for example.
 std::string example_place(const effects::Effect& effect) {
+  if (effect.corrects_deck()) return "60:" + effect.variants().front();
   if (effect.sits() == effects::Sits::OnElements) return "60:61";
   if (effect.changes_stiffness() == ChangeKind::Joint) return "34:35";
   if (effect.takes_any_grid()) return "acc1:8:6";

@@ -3,6 +3,7 @@
 #include "updating/diagnosis/worth.hpp"
 #include "updating/fit/slip_fits.hpp"
 #include "updating/search/screened.hpp"
+#include "updating/set_up/mistakes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,8 @@ std::optional<SetUpMistake> card_swap(const Fitter& fitter,
   if (!less || gain < very_strong) return std::nullopt;
   Location where;
   where.elements = best->elements;
-  return SetUpMistake{"card-swap",
+  where.variant = best->kind;
+  return SetUpMistake{effects::card_swap().name(),
                       std::move(where),
                       1.0 / (1.0 + std::exp(-gain)),
                       best->error,

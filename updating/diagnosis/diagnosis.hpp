@@ -41,8 +41,7 @@ struct Candidate {
 
 /// What the sheet or the deck says wrongly.
 struct SetUpMistake {
-  /// Catalogue name, for example "point-mislabelled"; "card-swap" or
-  /// "run-outlier".
+  /// Catalogue name, for example "point-mislabelled"; or "run-outlier".
   std::string mistake;
   Location where;
   double probability = 0.0;
@@ -80,8 +79,8 @@ struct Diagnosis {
   std::vector<ModelForm> model_form = {};  ///< no part of verdict or ladder
   /// One for each rung that something else explains as well.
   std::vector<NextMeasurement> next;
-  /// Of the ladder, put right there; then runs that are left out, and what the
-  /// deck says wrongly, in place of the ladder.
+  /// Of the ladder, put right there, the deck's own numbers first; then runs
+  /// that are left out.
   std::vector<SetUpMistake> set_up;
   std::vector<std::string> warnings;
   Rivals rivals = {};

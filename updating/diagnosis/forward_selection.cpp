@@ -34,6 +34,14 @@ constexpr int many_joints = 80;
 // to take the place.
 constexpr double better = 0.98;
 
+// Mistakes of the sheet are a kind for each channel: which one it is, what is
+// missing besides may hide.
+bool is_same_kind(const EffectInstance& one, const EffectInstance& other) {
+  return one.effect == other.effect &&
+         (!one.effect->at_sheet_points() ||
+          one.where.channels == other.where.channels);
+}
+
 // Of the kind of one the one that leaves least, with as many parameters: what a
 // second effect would explain looks like an error of form to the evidence,
 // which then tells little between places.
@@ -42,7 +50,7 @@ std::size_t least_of_kind(const CandidateRanking& round, std::size_t of) {
   std::size_t least = of;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
     const Hypothesis& h = round.hypotheses[k];
-    const bool alike = h.own().effect == first.own().effect &&
+    const bool alike = is_same_kind(h.own(), first.own()) &&
                        h.own().p.size() == first.own().p.size();
     const double error = round.hypotheses[least].fit.result.error;
     if (alike && h.fit.result.error < error) least = k;
@@ -227,12 +235,21 @@ ForwardSelection::Pair ForwardSelection::best_pair(
   Pair pair;
   double least = 1e300;
   std::set<const effects::Effect*> kinds;
+  std::vector<const EffectInstance*> known;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    if (static_cast<int>(kinds.size()) == kinds_tried_first) break;
+    const EffectInstance& own = round.hypotheses[k].own();
+    const bool fresh = !kinds.contains(own.effect);
+    if (fresh && static_cast<int>(kinds.size()) == kinds_tried_first) break;
     // Nothing by itself: with another it is what the other is alone.
     const bool tells = round.hypotheses[k].log_gain > 0.0;
     if (!tells && !kinds.empty()) break;
-    if (!kinds.insert(round.hypotheses[k].own().effect).second) continue;
+    if (std::ranges::any_of(known, [&own](const EffectInstance* one) {
+          return is_same_kind(*one, own);
+        })) {
+      continue;
+    }
+    kinds.insert(own.effect);
+    known.push_back(&own);
     const std::size_t first = least_of_kind(round, k);
     const Hypothesis& h = round.hypotheses[first];
     const auto tried = static_cast<double>(kinds.size());
@@ -249,12 +266,12 @@ ForwardSelection::Pair ForwardSelection::best_pair(
     // The same two in the other order end at the same error, but for rounding.
     if (second.fit.result.error >= better * least) continue;
     least = second.fit.result.error;
-    const auto own =
+    const auto sizes =
         static_cast<double>(h.own().p.size() + second.own().p.size());
     pair.first = first;
     const double noise = options_.floor_noise;
     const double places = h.places * second.places;
-    pair.gain = log_gain(evidence(second.fit, own, places, next.data, noise),
+    pair.gain = log_gain(evidence(second.fit, sizes, places, next.data, noise),
                          evidence(current, 0.0, 1.0, next.data, noise),
                          second.fit.result.error / current.result.error);
     pair.next = std::move(next);

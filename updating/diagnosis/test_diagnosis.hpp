@@ -26,4 +26,18 @@ namespace tapfit::updating {
                                       const std::vector<std::string>& of_model,
                                       const Progress& progress);
 
+/// A ladder cut where the deck's own numbers end: they come first, and all else
+/// is a diagnosis of the deck put right.
+struct TwofoldDiagnosis {
+  std::vector<EffectInstance> corrections;  ///< of the deck
+  std::string named;                        ///< "card-swap"; empty: none
+  Diagnosis rest;                           ///< ladder and verdict without them
+};
+[[nodiscard]] TwofoldDiagnosis cut_at_deck(Diagnosis diagnosis,
+                                           const effects::TestContext& context);
+
+/// "card-swap" with what a diagnosis of the deck put right comes to.
+[[nodiscard]] std::string with_named(const std::string& named,
+                                     const std::string& verdict);
+
 }  // namespace tapfit::updating

@@ -83,6 +83,7 @@ enum class Entry {
   Stiffness,    ///< a change of the base's stiffness matrix
   Measurement,  ///< in the channel, not in the structure
   Damping,      ///< of every mode, in place of a ratio for each
+  Deck,         ///< in its numbers, before anything is assembled
 };
 
 /// What its places are.
@@ -152,8 +153,10 @@ class Effect {
   /// Whether it is a mistake of the set-up, sheet, channels or supports, not of
   /// the structure.
   [[nodiscard]] bool is_mistake() const {
-    return kind_.is_mistake || entry() == Entry::Measurement;
+    return kind_.is_mistake || entry() == Entry::Measurement || corrects_deck();
   }
+  /// Whether it is a model of another deck: see correct_deck().
+  [[nodiscard]] bool corrects_deck() const { return entry() == Entry::Deck; }
 
   /// Which, for Entry::Stiffness; its parameters scale the parts of that
   /// change.
@@ -212,6 +215,11 @@ class Effect {
                        const acquisition::TestBundle& /*written*/,
                        acquisition::TestBundle& /*sheet*/) const {}
 
+  /// For Entry::Deck: puts the numbers right. No model of the deck as it is
+  /// holds that; its fits are those of the deck put right.
+  virtual void correct_deck(const Location& /*where*/,
+                            structure::Deck& /*deck*/) const {}
+
   /// For Entry::Measurement: the group of the law that FRFs go through whose
   /// response (or hammer) is on the channel.
   [[nodiscard]] virtual std::size_t passed_as(const Location&,
@@ -251,7 +259,7 @@ class Effect {
   /// or mass, and neither damps nor sits in a channel.
   [[nodiscard]] bool shows_in_modes() const {
     const bool point = entry() == Entry::LowRank && is_lossless(0);
-    return point || changes_stiffness().has_value();
+    return point || changes_stiffness().has_value() || corrects_deck();
   }
 
   /// A derived result worth reporting besides the parameters themselves: the

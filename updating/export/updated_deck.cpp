@@ -9,6 +9,7 @@
 #include "updating/properties/property_cards.hpp"
 #include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_property.hpp"
+#include "updating/set_up/card_slips.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 #include "updating/structure/edit/move_elements.hpp"
@@ -83,6 +84,7 @@ struct IdentifiedCards {
 
 IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
                                  const structure::Deck& deck,
+                                 const std::vector<Candidate>& added_effects,
                                  const std::vector<Estimate>& identified,
                                  const std::vector<ModelForm>& form) {
   IdentifiedCards result;
@@ -102,6 +104,15 @@ IdentifiedCards identified_cards(const acquisition::TestBundle& bundle,
     sheared.value = shear_coefficient(found.share.value);
     result.scales.push_back(std::move(sheared));
     result.estimates.push_back(found.share);
+  }
+  for (const Candidate& added : added_effects) {
+    if (!effects::find(added.effect).corrects_deck()) continue;
+    for (const CardSlip& slip : slips_at(deck, added.where)) {
+      for (const ScaledNumber& one : slip.numbers) {
+        result.scales.push_back(property_card(deck, one.number, one.factor));
+        result.estimates.push_back({.name = slip.edit, .value = one.factor});
+      }
+    }
   }
   return result;
 }
@@ -156,8 +167,9 @@ EffectCards cards_of(const std::vector<Candidate>& added_effects,
   for (const auto& added : added_effects) {
     const effects::Effect& effect = effects::find(added.effect);
     Location where = added.where;
-    cards.added.push_back(fmt::format("$ {}: {}",
+    cards.added.push_back(fmt::format("$ {}{}{}",
                                       effect_text(added.effect, added.where),
+                                      added.parameters.empty() ? "" : ": ",
                                       parameters_text(added.parameters)));
     const auto p =
         values(added.parameters, effect.parameters(added.where, context));
@@ -210,7 +222,7 @@ UpdatedDeck updated_deck(const acquisition::TestBundle& bundle,
     released.insert(released.end(), out.begin(), out.end());
   }
   const IdentifiedCards cards =
-      identified_cards(bundle, deck, identified, form);
+      identified_cards(bundle, deck, added_effects, identified, form);
   const structure::WeakenCards weak(deck,
                                     weak_elements(added_effects, context));
   EffectCards written = cards_of(added_effects, bundle, deck);

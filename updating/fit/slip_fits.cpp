@@ -31,7 +31,7 @@ SlipFit fit_through_base(const structure::Deck& deck,
   const Target& wide = problem.targets.front();
   const double error = relative_error(
       wide, fit.model->respond(fit.result.state, wide.s, false).H);
-  return {{}, {}, error, fit.log_likelihood};
+  return {{}, {}, {}, error, fit.log_likelihood};
 }
 
 SlipFit fit_of(const structure::Deck& deck,
@@ -40,7 +40,7 @@ SlipFit fit_of(const structure::Deck& deck,
   const BaseBuilder builder = like.builder().for_deck(deck);
   const Fitter fitter(builder, problem_of(deck, like));
   const Fit fit = fitter.fit({}, fitter.model_for({}), {{}, progress.stop});
-  return {{}, {}, fit.result.error, fit.log_likelihood};
+  return {{}, {}, {}, fit.result.error, fit.log_likelihood};
 }
 
 // The deck as it is, then with each slip put right.
@@ -62,6 +62,7 @@ SlipFits fit_each_deck(const Fitter& fitter,
     SlipFit fit = fit_one(corrected, fitter, progress);
     fit.edit = slip.edit;
     fit.elements = slip.elements;
+    fit.kind = slip.kind;
     fits.slips.push_back(std::move(fit));
   }
   return fits;

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "updating/fit/fitter.hpp"
-#include "updating/properties/card_slips.hpp"
+#include "updating/set_up/card_slips.hpp"
 
 #include <string>
 #include <vector>
@@ -16,6 +16,7 @@ namespace tapfit::updating {
 struct SlipFit {
   std::string edit;           ///< see CardSlip
   std::vector<int> elements;  ///< with the card, ascending
+  std::string kind;           ///< see CardSlip
   double error = 0.0;         ///< relative FRF error that is left
   double log_likelihood = 0.0;
 };

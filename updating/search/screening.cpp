@@ -123,7 +123,8 @@ class Screening {
     for (const effects::Effect* effect : effects::catalogue()) {
       if (effect->changes_stiffness() ||
           effect->entry() == effects::Entry::Damping ||
-          effect->sits_at_grid() || is_screened_mistake(*effect, context_)) {
+          effect->corrects_deck() || effect->sits_at_grid() ||
+          is_screened_mistake(*effect, context_)) {
         continue;
       }
       for (const Location& place : fitter_->places(*effect)) {

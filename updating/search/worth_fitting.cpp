@@ -138,8 +138,10 @@ std::vector<Planned> planned_fits(const Fit& current,
                                   const Reach& reach) {
   std::vector<Planned> result;
   for (const effects::Effect* effect : effects::catalogue()) {
-    // A ratio for each mode is fitted along: a law explains no more.
+    // A ratio for each mode is fitted along: a law explains no more. Another
+    // deck is looked for besides.
     if (effect->entry() == effects::Entry::Damping) continue;
+    if (effect->corrects_deck()) continue;
     Planned plan;
     plan.effect = effect;
     plan.tries =

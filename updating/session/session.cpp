@@ -105,7 +105,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
   const Fit& now = stages_->current();
   stages_->diagnosis =
       stages_->diagnosis_cache(now.effects.size()).kept_or_made([&] {
-        return diagnose_test(*stages_->ground,
+        return diagnose_test(stages_->ground_now(),
                              now,
                              base,
                              stages_->measured(),
@@ -117,10 +117,16 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
 
 const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
   if (!diagnosis(progress).robustness.empty()) return *stages_->diagnosis;
+  const TwofoldDiagnosis cut =
+      cut_at_deck(*stages_->diagnosis, stages_->context());
+  const FitContext& ground =
+      cut.corrections.empty() ? stages_->ground_now()
+                              : stages_->ground_of(cut.corrections, progress);
   const DiagnoseOptions options =
-      options_of_test(*stages_->ground, base_comparison(progress));
-  stages_->diagnosis->robustness = robustness(
-      *stages_->ground->fitter, options, *stages_->diagnosis, progress);
+      options_of_test(ground, base_comparison(progress));
+  std::vector<Robustness>& firm = stages_->diagnosis->robustness;
+  firm = robustness(*ground.fitter, options, cut.rest, progress);
+  for (Robustness& one : firm) one.verdict = with_named(cut.named, one.verdict);
   stages_->diagnosis_cache(stages_->current().effects.size())
       .keep(*stages_->diagnosis);
   return *stages_->diagnosis;
@@ -136,7 +142,7 @@ Signature Session::signature(int node, const Progress& progress) {
   stages_->prepare_fit(progress);
   static_cast<void>(stages_->deck->grid_index(node));
   return signature_at(
-      stages_->current(), *stages_->ground->fitter, node, progress);
+      stages_->current(), *stages_->ground_now().fitter, node, progress);
 }
 
 EffectEvidence Session::evidence(const EffectRef& effect,
@@ -151,7 +157,7 @@ Prediction Session::predict(const std::vector<StatedChange>& changes,
   stages_->prepare_fit(progress);
   if (stages_->stack->fits().size() == 1) fit_uncertain(progress);
   return predict_change({stages_->current(),
-                         *stages_->ground->fitter,
+                         *stages_->ground_now().fitter,
                          comparison(progress),
                          frfs(progress),
                          modes(progress)},
@@ -162,7 +168,7 @@ Prediction Session::predict(const std::vector<StatedChange>& changes,
 std::vector<GridShare> Session::localisation_map(const Progress& progress) {
   stages_->prepare_fit(progress);
   return updating::localisation_map(
-      stages_->current(), stages_->ground->fitter->target(), progress);
+      stages_->current(), stages_->ground_now().fitter->target(), progress);
 }
 
 void Session::overrule_hit(std::size_t run, std::size_t hit) {
@@ -272,7 +278,7 @@ void Session::set_update(const UpdateChoice& choice) {
 
 FittedTest Session::fitted(const Progress& progress) {
   stages_->prepare_fit(progress);
-  return {*stages_->ground->fitter,
+  return {*stages_->ground_now().fitter,
           stages_->stack->fits().front(),
           stages_->current(),
           stages_->ground->properties,

@@ -6,8 +6,10 @@
 #include "updating/measurement/test_model.hpp"
 #include "updating/residual/independent_data.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 namespace tapfit::updating {
 
@@ -50,12 +52,36 @@ StackFit SessionStages::stack_fit() {
   return {context(), std::bind_front(&SessionStages::fit_now, this)};
 }
 
+const FitContext& SessionStages::ground_of(
+    const std::vector<EffectInstance>& effects, const Progress& progress) {
+  std::vector<EffectInstance> corrections = deck_corrections(effects);
+  if (corrections.empty()) return *ground;
+  const auto same = [&corrections](const auto& known) {
+    return std::ranges::equal(
+        known->corrections,
+        corrections,
+        [](const EffectInstance& a, const EffectInstance& b) {
+          return a.effect == b.effect && a.where == b.where;
+        });
+  };
+  const auto known = std::ranges::find_if(corrected, same);
+  if (known != corrected.end()) return (*known)->ground;
+  corrected.push_back(
+      correct_model(measured(), std::move(corrections), progress));
+  return corrected.back()->ground;
+}
+
 Fit SessionStages::fit_now(const std::vector<EffectInstance>& effects,
                            const Fit& before,
                            const Progress& progress) {
-  const Fitter& fitter = *ground->fitter;
+  const Fitter& fitter = *ground_of(effects, progress).fitter;
   const auto base = fitter.model_for(effects);
-  if (!choice.is_plain()) return fitter.fit(effects, base, progress, &before);
+  // Of the same deck; of another it says nothing.
+  const bool same =
+      &ground_of(before.effects, progress) == &ground_of(effects, progress);
+  if (!choice.is_plain()) {
+    return fitter.fit(effects, base, progress, same ? &before : nullptr);
+  }
   if (!plain) {
     plain = plain_task(
         choice,
@@ -86,7 +112,7 @@ const Fit& SessionStages::current_likeliest() {
   const bool fitted = stack->fits().size() > 1;
   if (choice.is_plain() || !fitted) return current();
   if (!likeliest) {
-    const Fitter& fitter = *ground->fitter;
+    const Fitter& fitter = *ground_now().fitter;
     const double data =
         independent_data(fitter.target(), current().result.residual);
     likeliest = likeliest_fit(current(), fitter, {data, ground->floor_noise});
@@ -95,16 +121,17 @@ const Fit& SessionStages::current_likeliest() {
 }
 
 Comparison SessionStages::compare_now(const Fit& fit) {
+  const FitContext& own = ground_of(fit.effects);
   Comparison c = compare(fit,
-                         ground->fitter->target(),
+                         own.fitter->target(),
                          test.frfs({}),
                          test.modes({}),
                          test.choices().pairs);
-  c.floor_noise = ground->floor_noise;
-  c.floor_mesh = ground->floor_mesh;
-  c.floor_form = form_share(fit, ground->fitter->target(), c.floor_noise).error;
+  c.floor_noise = own.floor_noise;
+  c.floor_mesh = own.floor_mesh;
+  c.floor_form = form_share(fit, own.fitter->target(), c.floor_noise).error;
   c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
-  c.contour = ground->contour;
+  c.contour = own.contour;
   return c;
 }
 
@@ -120,6 +147,7 @@ void SessionStages::drop_from_frfs() {
   if (ground) waiting = stack->history();
   ground.reset();
   stack.reset();
+  corrected.clear();
   plain.reset();
   base_comparison.reset();
   drop_current();
@@ -132,6 +160,7 @@ void SessionStages::stack_waiting(const Progress& progress) {
     // As if nothing had been prepared: the next call tries again.
     ground.reset();
     stack.reset();
+    corrected.clear();
     throw;
   }
 }

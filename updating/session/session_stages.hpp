@@ -5,6 +5,7 @@
 
 #include "updating/comparison/comparison.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
+#include "updating/fit/corrected_model.hpp"
 #include "updating/fit/fit_context.hpp"
 #include "updating/fit/plain_fit.hpp"
 #include "updating/fit/rung.hpp"
@@ -12,6 +13,7 @@
 #include "updating/session/diagnosis_cache.hpp"
 #include "updating/session/effect_stack.hpp"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -32,6 +34,8 @@ struct SessionStages {
   std::optional<structure::Deck> deck;
   std::optional<SolvedModel> model;
   std::optional<FitContext> ground;  ///< and with it the stack
+  /// Of the deck with numbers put right, as effects ask for it.
+  std::vector<std::unique_ptr<CorrectedModel>> corrected;
   std::optional<EffectStack> stack;
   std::vector<ModeChoices> past_choices;
   std::vector<ModeChoices> future_choices;
@@ -62,6 +66,13 @@ struct SessionStages {
                     const Progress& progress);
 
   // Of what prepare_fit() has made.
+  /// Of the deck as the effects want it.
+  [[nodiscard]] const FitContext& ground_of(
+      const std::vector<EffectInstance>& effects,
+      const Progress& progress = {});
+  [[nodiscard]] const FitContext& ground_now() {
+    return ground_of(current().effects);
+  }
   [[nodiscard]] effects::TestContext context() const;
   [[nodiscard]] MeasuredTest measured();
   [[nodiscard]] StackFit stack_fit();

@@ -1,5 +1,5 @@
 // The mistakes of this room, each in the file of its name, and how they show.
-// None moves a pole but that of the supports.
+// None moves a pole but those of the supports and of the deck's numbers.
 #pragma once
 
 #include "updating/effects/effect.hpp"
@@ -26,5 +26,8 @@ namespace tapfit::effects {
 /// A support of the model that the structure did not have, or the reverse: the
 /// first modes are others, down to the rigid ones.
 [[nodiscard]] const Effect& support_mismatch();
+/// A number of the deck's cards written down wrongly: modes of another order and
+/// other shapes, which no change of size makes good.
+[[nodiscard]] const Effect& card_swap();
 
 }  // namespace tapfit::effects

@@ -85,6 +85,18 @@ TEST(SetUpMistakes, UnitsAreNamedWithTheirFactor) {
   }
 }
 
+// What makes up for the rest at first comes out as a gain of its own.
+TEST(SetUpMistakes, UnitBesideAWrongPointIsNamed) {
+  const EffectInstance unit = of_channel("unit-factor", "hammer", "1/4.448");
+  const PlateExperiment test({unit, moved("acc2", 36, 33)}, 0.02, 12);
+  const Diagnosis d = test.diagnose_it();
+  ASSERT_EQ(d.set_up.size(), 2U) << d.verdict;
+  for (const SetUpMistake& mistake : d.set_up) {
+    const bool point = mistake.mistake == "point-mislabelled";
+    EXPECT_TRUE(point || mistake.mistake == "unit-factor") << mistake.mistake;
+  }
+}
+
 TEST(SetUpMistakes, QuantityAndRangeOfOneRunAreNamed) {
   EffectInstance velocity = of_channel("unit-factor", "acc1", "integrated");
   velocity.where.channels = {"acc1", "acc2"};
