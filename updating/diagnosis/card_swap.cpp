@@ -1,8 +1,8 @@
 #include "updating/diagnosis/card_swap.hpp"
 
 #include "updating/diagnosis/worth.hpp"
-#include "updating/fit/slip_fits.hpp"
 #include "updating/search/screened.hpp"
+#include "updating/search/slip_fits.hpp"
 #include "updating/set_up/mistakes.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 #include "updating/diagnosis/card_swap.hpp"
 
 #include "tests/updating/support/sample_plate.hpp"
-#include "updating/fit/slip_fits.hpp"
 #include "updating/measurement/damped_line.hpp"
 #include "updating/search/screened.hpp"
+#include "updating/search/slip_fits.hpp"
 
 #include <gtest/gtest.h>
 

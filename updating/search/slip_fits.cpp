@@ -1,4 +1,4 @@
-#include "updating/fit/slip_fits.hpp"
+#include "updating/search/slip_fits.hpp"
 
 #include <memory>
 #include <utility>
