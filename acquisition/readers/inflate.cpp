@@ -52,6 +52,18 @@ std::uintmax_t Inflate::unpack(unsigned char* to, std::uintmax_t count) {
 
 bool Inflate::ended_well() const { return state_->good && state_->ended; }
 
+std::string deflated(std::string_view bytes) {
+  uLongf size = compressBound(static_cast<uLong>(bytes.size()));
+  std::string packed(size, '\0');
+  compress2(reinterpret_cast<Bytef*>(packed.data()),
+            &size,
+            reinterpret_cast<const Bytef*>(bytes.data()),
+            static_cast<uLong>(bytes.size()),
+            Z_BEST_SPEED);
+  packed.resize(size);
+  return packed;
+}
+
 std::uint32_t crc32_of(std::string_view bytes) {
   constexpr std::size_t piece = std::size_t{1} << 30U;
   uLong sum = crc32(0, nullptr, 0);

@@ -1,5 +1,5 @@
-// Packed bytes of a file unpacked piece by piece, by way of zlib (included only
-// here).
+// Packed bytes of a file unpacked piece by piece, and bytes packed, by way of
+// zlib (included only here).
 #pragma once
 
 #include <cstdint>
@@ -31,6 +31,9 @@ class Inflate {
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Packed as zlib does (RFC 1950), quickly rather than small.
+[[nodiscard]] std::string deflated(std::string_view bytes);
 
 /// CRC-32 of the bytes, as archives keep it of each file.
 [[nodiscard]] std::uint32_t crc32_of(std::string_view bytes);

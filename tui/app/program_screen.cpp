@@ -149,7 +149,8 @@ Screen Program::draw() const {
   }
   Screen screen(canvas_);
   draw_tabs(screen);
-  const Canvas room{canvas_.width, canvas_.height - 3, canvas_.ascii};
+  Canvas room = canvas_;
+  room.height -= 3;
   screen.place(0, 1, help_open_ ? help(room) : body(room));
   draw_line(screen, canvas_.height - 2);
   draw_keys(screen, canvas_.height - 1);
@@ -159,7 +160,8 @@ Screen Program::draw() const {
 Screen Program::body(const Canvas& canvas) const {
   Screen screen(canvas);
   const Screen words = tour(canvas);
-  const Canvas room{canvas.width, canvas.height - words.height(), canvas.ascii};
+  Canvas room = canvas;
+  room.height -= words.height();
   screen.place(0, 0, ready() ? page().draw(known_, room) : waiting(room));
   screen.place(0, room.height, words);
   draw_live(screen);

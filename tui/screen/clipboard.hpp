@@ -1,7 +1,7 @@
 // The clipboard of whoever sits at the terminal, also at the other end of ssh.
 //
 // Source: Thomas E. Dickey, "XTerm Control Sequences", operating system command
-// 52; RFC 4648 (base 64).
+// 52.
 #pragma once
 
 #include <cstddef>

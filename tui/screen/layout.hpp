@@ -1,12 +1,25 @@
-// Cuts rectangles into panes.
+// Rectangles of cells, cut into panes.
 #pragma once
-
-#include "tui/screen/screen.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace tapfit::tui {
+
+/// Width and height may be zero, never negative.
+struct Rect {
+  int x = 0;
+  int y = 0;
+  int width = 0;
+  int height = 0;
+
+  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  [[nodiscard]] bool holds(int px, int py) const {
+    return px >= x && px < x + width && py >= y && py < y + height;
+  }
+
+  bool operator==(const Rect&) const = default;
+};
 
 /// The first `rows` rows, and what is left below them.
 [[nodiscard]] inline std::pair<Rect, Rect> split_top(const Rect& r, int rows) {

@@ -35,6 +35,30 @@ constexpr HeatPalette heat_on_light{{{-1, -1},
                                      {25, white},
                                      {18, white}}};
 
+constexpr std::array<Rgb, 16> plain_colours{{{0, 0, 0},
+                                             {205, 0, 0},
+                                             {0, 205, 0},
+                                             {205, 205, 0},
+                                             {0, 0, 238},
+                                             {205, 0, 205},
+                                             {0, 205, 205},
+                                             {229, 229, 229},
+                                             {127, 127, 127},
+                                             {255, 0, 0},
+                                             {0, 255, 0},
+                                             {255, 255, 0},
+                                             {92, 92, 255},
+                                             {255, 0, 255},
+                                             {0, 255, 255},
+                                             {255, 255, 255}}};
+constexpr short first_of_cube = 16;
+constexpr short first_grey = 232;
+
+/// Half of the way to the background's black or white.
+std::uint8_t dimmed(std::uint8_t value, bool light) {
+  return static_cast<std::uint8_t>((value + (light ? 255 : 0)) / 2);
+}
+
 }  // namespace
 
 const HeatPalette& heat_palette(bool light) {
@@ -48,6 +72,42 @@ const Palette& palette(int colours, bool light, Theme theme) {
   if (colours >= 256) return light ? light_256 : dark_256;
   if (colours >= 16) return light ? light_16 : dark_16;
   return light ? light_8 : dark_8;
+}
+
+Rgb rgb_of(short number) {
+  if (number < first_of_cube) {
+    return plain_colours[static_cast<std::size_t>(number)];
+  }
+  if (number >= first_grey) {
+    const auto grey = static_cast<std::uint8_t>(8 + 10 * (number - first_grey));
+    return {grey, grey, grey};
+  }
+  // A cube of six steps each way.
+  const int place = number - first_of_cube;
+  const auto level = [](int step) {
+    return static_cast<std::uint8_t>(step == 0 ? 0 : 55 + 40 * step);
+  };
+  return {level(place / 36), level(place / 6 % 6), level(place % 6)};
+}
+
+std::uint8_t ink_number(Colour colour, bool dim) {
+  const int number = static_cast<int>(colour) + (dim ? colour_count : 0);
+  return static_cast<std::uint8_t>(number);
+}
+
+Inks inks(bool light, Theme theme) {
+  constexpr short light_grey = 252;
+  Inks all{};
+  for (std::size_t i = 0; i < colour_count; ++i) {
+    const short number =
+        theme == Theme::Mono ? short{-1} : palette(256, light, theme)[i];
+    const Rgb ink = rgb_of(number >= 0 ? number : light ? black : light_grey);
+    all[i] = ink;
+    all[i + colour_count] = {dimmed(ink.red, light),
+                             dimmed(ink.green, light),
+                             dimmed(ink.blue, light)};
+  }
+  return all;
 }
 
 }  // namespace tapfit::tui

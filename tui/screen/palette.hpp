@@ -8,6 +8,7 @@
 #include "tui/screen/screen.hpp"
 
 #include <array>
+#include <cstdint>
 
 namespace tapfit::tui {
 
@@ -37,5 +38,25 @@ struct HeatColour {
 /// It stands out from the background the more, the hotter it is.
 [[nodiscard]] const std::array<HeatColour, heat_levels + 1>& heat_palette(
     bool light);
+
+struct Rgb {
+  std::uint8_t red = 0;
+  std::uint8_t green = 0;
+  std::uint8_t blue = 0;
+
+  bool operator==(const Rgb&) const = default;
+};
+
+/// Of one of 256 colours, as xterm has them by default.
+/// @param number 0 to 255
+[[nodiscard]] Rgb rgb_of(short number);
+
+/// Inks of pictures: the colours, then the same dimmed.
+using Inks = std::array<Rgb, std::size_t{2} * colour_count>;
+[[nodiscard]] std::uint8_t ink_number(Colour colour, bool dim);
+
+/// The palette of 256 colours as pixels. The terminal's own ink is taken as
+/// light grey or black, so are all of Theme::Mono.
+[[nodiscard]] Inks inks(bool light, Theme theme);
 
 }  // namespace tapfit::tui

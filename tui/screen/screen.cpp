@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace tapfit::tui {
 
@@ -43,6 +44,8 @@ void Screen::set(int x, int y, const Cell& cell) {
   if (at(x, y).glyph == 0 && x > 0 && cell.glyph != 0) blank(x - 1);
   if (x + 1 < width_ && at(x + 1, y).glyph == 0) blank(x + 1);
   this->cell(x, y) = cell;
+  if (cell.glyph != U' ') return;
+  for (PixelPicture& picture : pictures_) clear_cell(picture, x, y);
 }
 
 void Screen::put(int x, int y, char32_t glyph, Style style) {
@@ -97,11 +100,21 @@ void Screen::box(const Rect& rect, std::string_view title, Style style) {
   }
 }
 
+void Screen::add(const PixelPicture& picture) {
+  PixelPicture seen = part_within(picture, area());
+  if (!seen.blank()) pictures_.push_back(std::move(seen));
+}
+
 void Screen::place(int x, int y, const Screen& other) {
   for (int row = 0; row < other.height(); ++row) {
     for (int column = 0; column < other.width(); ++column) {
       set(x + column, y + row, other.at(column, row));
     }
+  }
+  for (PixelPicture picture : other.pictures_) {
+    picture.rect.x += x;
+    picture.rect.y += y;
+    add(picture);
   }
   for (Zone zone : other.zones_) {
     zone.rect.x += x;

@@ -8,6 +8,9 @@
 // here knows a terminal, so that screens are compared as text.
 #pragma once
 
+#include "tui/screen/layout.hpp"
+#include "tui/screen/pixel_picture.hpp"
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -48,19 +51,6 @@ struct Cell {
   bool operator==(const Cell&) const = default;
 };
 
-/// A rectangle of cells; width and height may be zero, never negative.
-struct Rect {
-  int x = 0;
-  int y = 0;
-  int width = 0;
-  int height = 0;
-
-  [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
-  [[nodiscard]] bool holds(int px, int py) const {
-    return px >= x && px < x + width && py >= y && py < y + height;
-  }
-};
-
 /// Where a click means something: a row of a list, a column's heading, a place
 /// along a plot's x axis, a key of the key bar, an entry of a map, a command of
 /// the palette.
@@ -89,6 +79,7 @@ struct Canvas {
   int height = 24;
   bool ascii = false;
   Drawings* drawings = nullptr;  ///< takes what is plotted, where asked for
+  CellPixels pixels = {};        ///< that plots are drawn in, where there are
 };
 
 /// Whatever is put outside of the grid is dropped; with `ascii`, every glyph
@@ -99,6 +90,7 @@ class Screen {
   explicit Screen(const Canvas& canvas)
       : Screen(canvas.width, canvas.height, canvas.ascii) {
     drawings_ = canvas.drawings;
+    pixels_ = canvas.pixels;
   }
 
   [[nodiscard]] int width() const { return width_; }
@@ -106,6 +98,7 @@ class Screen {
   [[nodiscard]] bool ascii() const { return ascii_; }
   /// The canvas's.
   [[nodiscard]] Drawings* drawings() const { return drawings_; }
+  [[nodiscard]] CellPixels pixels() const { return pixels_; }
   [[nodiscard]] Rect area() const { return {0, 0, width_, height_}; }
 
   /// @pre 0 <= x < width, 0 <= y < height
@@ -132,7 +125,13 @@ class Screen {
   [[nodiscard]] const Zone* zone_at(int x, int y) const;
   /// What is drawn in there so far is the pane of that number.
   void name_pane(const Rect& rect, std::size_t number);
-  /// Copies another screen's cells and zones to (x, y).
+  /// Lies under the glyphs; a blank that is put over it later takes it away
+  /// there.
+  void add(const PixelPicture& picture);
+  [[nodiscard]] const std::vector<PixelPicture>& pictures() const {
+    return pictures_;
+  }
+  /// Copies another screen's cells, pictures and zones to (x, y).
   void place(int x, int y, const Screen& other);
 
   /// Rows ended by '\n', without trailing spaces.
@@ -146,7 +145,9 @@ class Screen {
   int height_;
   bool ascii_;
   Drawings* drawings_ = nullptr;
+  CellPixels pixels_;
   std::vector<Cell> cells_;
+  std::vector<PixelPicture> pictures_;
   std::vector<Zone> zones_;
 };
 

@@ -83,6 +83,12 @@ Curve record_curve(const Trace& trace,
   return curve;
 }
 
+/// Of a plot, a sample in each; two lines of an envelope go into one.
+int sample_columns(const Screen& screen, int cells) {
+  const CellPixels cell = screen.pixels();
+  return cell.none() ? cells : cells * cell.width / 2;
+}
+
 /// Whether each sample on show has a column of its own.
 bool fits_samples(const Trace& trace, const PlotRange& shown, int columns) {
   const Eigen::Index n = rows_on_show(trace, shown).count;
@@ -243,7 +249,9 @@ void draw_channels(Screen& screen,
     const acquisition::Placement& at =
         pane == 0 ? run.hammer : run.sensors[sensor];
     const std::optional<int> columns =
-        screen.drawings() == nullptr ? std::optional(here.width) : std::nullopt;
+        screen.drawings() == nullptr
+            ? std::optional(sample_columns(screen, here.width))
+            : std::nullopt;
     Plot plot = channel_plot(input, state, at.channel, columns);
     plot.x_labels = last;
     const std::string title =

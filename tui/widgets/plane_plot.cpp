@@ -9,13 +9,12 @@
 namespace tapfit::tui {
 namespace {
 
-/// From the plane to dots: one unit is `scale` dots both ways. A cell is twice
-/// as high as wide; braille dots are square, ASCII ones are cells.
+/// From the plane to dots: one unit is as long both ways.
 struct Mapping {
-  double x_0 = 0.0;  ///< at the body's left edge
-  double y_0 = 0.0;  ///< at its upper edge
-  double scale = 1.0;
-  double flat = 1.0;  ///< dots down per dot across
+  double x_0 = 0.0;    ///< at the body's left edge
+  double y_0 = 0.0;    ///< at its upper edge
+  double scale = 1.0;  ///< dots across per unit
+  double flat = 1.0;   ///< dots down per dot across
 
   [[nodiscard]] double x(double v) const { return (v - x_0) * scale; }
   [[nodiscard]] double y(double v) const { return (y_0 - v) * scale * flat; }
@@ -38,7 +37,7 @@ struct Extent {
   [[nodiscard]] double span() const { return hi - lo; }
 };
 
-Mapping fitted(const PlanePlot& plot, const Dots& dots, bool ascii) {
+Mapping fitted(const PlanePlot& plot, const Dots& dots) {
   Extent x;
   Extent y;
   if (!plot.paths.empty()) {
@@ -46,7 +45,7 @@ Mapping fitted(const PlanePlot& plot, const Dots& dots, bool ascii) {
     y.take(plot.paths.front().y);
   }
   Mapping at;
-  at.flat = ascii ? 0.5 : 1.0;
+  at.flat = dots.flatness();
   const double width = dots.width() - 1;
   const double height = (dots.height() - 1) / at.flat;
   const double span_x = x.span() > 0.0 ? x.span() : 1.0;
@@ -68,12 +67,14 @@ void draw_axes(Dots& dots, const Mapping& at) {
 void draw_path(Dots& dots, const Mapping& at, const Path& path) {
   const Eigen::Index n = std::min(path.x.size(), path.y.size());
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Eigen::Index from = path.joined && i > 0 ? i - 1 : i;
-    dots.line(at.x(path.x[from]),
-              at.y(path.y[from]),
-              at.x(path.x[i]),
-              at.y(path.y[i]),
-              path.pen);
+    const double x = at.x(path.x[i]);
+    const double y = at.y(path.y[i]);
+    const Eigen::Index before = std::max<Eigen::Index>(i - 1, 0);
+    if (path.joined) {
+      dots.line(at.x(path.x[before]), at.y(path.y[before]), x, y, path.pen);
+    } else {
+      dots.spot(x, y, path.pen);
+    }
   }
 }
 
@@ -129,12 +130,10 @@ void draw_plane(Screen& screen, const Rect& rect, const PlanePlot& plot) {
   int x = screen.text(rect.x, rect.y, plot.y_label, dim, rect.width);
   x = screen.text(
       x + 2, rect.y, plot.title, {.bold = true}, rect.x + rect.width - x - 2);
-  const bool ascii = screen.ascii();
-  const Body body{{rect.x + 8, rect.y + 1, rect.width - 9, rect.height - 3},
-                  ascii ? 1 : 2,
-                  ascii ? 1 : 4};
-  Dots dots(body.rect.width, body.rect.height, ascii);
-  const Mapping at = fitted(plot, dots, ascii);
+  const Rect inner{rect.x + 8, rect.y + 1, rect.width - 9, rect.height - 3};
+  Dots dots(inner.width, inner.height, screen);
+  const Body body{inner, dots.across(), dots.down()};
+  const Mapping at = fitted(plot, dots);
   draw_axes(dots, at);
   for (const Path& path : plot.paths) draw_path(dots, at, path);
   dots.draw(screen, body.rect.x, body.rect.y);

@@ -149,15 +149,26 @@ void draw_x_axis(Screen& screen, const Frame& frame) {
   }
 }
 
+/// Axes go from the first dot to the last; in pixels from the middle of the
+/// first cell to that of the last, where glyphs and clicks have them.
 struct DotScale {
   const Frame& frame;
   const Dots& dots;
 
   [[nodiscard]] double x(double v) const {
-    return along(frame.ranges.x, v) * (dots.width() - 1);
+    const double t = along(frame.ranges.x, v);
+    return dots.in_pixels() ? middle(t, frame.body.width, dots.across())
+                            : t * (dots.width() - 1);
   }
   [[nodiscard]] double y(double v) const {
-    return (1.0 - along(frame.ranges.y, v)) * (dots.height() - 1);
+    const double t = 1.0 - along(frame.ranges.y, v);
+    return dots.in_pixels() ? middle(t, frame.body.height, dots.down())
+                            : t * (dots.height() - 1);
+  }
+
+ private:
+  static double middle(double t, int cells, int dots_of_cell) {
+    return (t * (cells - 1) + 0.5) * dots_of_cell - 0.5;
   }
 };
 
@@ -182,7 +193,8 @@ void draw_band(Dots& dots, const DotScale& at, const Curve& curve) {
   for (Index i = from; i < std::min(to, n); ++i) {
     const double x = at.x(curve.x[i]);
     if (!std::isfinite(x)) continue;
-    if (around && std::isfinite(last) && std::round(x) < last + 2) continue;
+    const double apart = 2.0 * dots.grain();
+    if (around && std::isfinite(last) && std::round(x) < last + apart) continue;
     last = std::round(x);
     const double bottom = at.frame.ranges.y.lo;
     const double low =
@@ -198,7 +210,9 @@ void draw_curve(Dots& dots, const DotScale& at, const Curve& curve) {
   for (Index i = from; i < n; ++i) {
     const double x = at.x(curve.x[i]);
     const double y = at.y(curve.y[i]);
-    if (i == from || n - from == 1 || !curve.joined) {
+    if (!curve.joined || n - from == 1) {
+      dots.spot(x, y, curve.pen);
+    } else if (i == from) {
       dots.line(x, y, x, y, curve.pen);
     } else {
       dots.line(at.x(curve.x[i - 1]), at.y(curve.y[i - 1]), x, y, curve.pen);
@@ -257,6 +271,20 @@ void draw_below_curves(Screen& screen, const Frame& frame, const Plot& plot) {
   }
 }
 
+/// The same where curves can lie over it.
+void draw_below_curves(Dots& dots, const DotScale& at, const Plot& plot) {
+  const Axis& x = at.frame.ranges.x;
+  for (const Shade& shade : plot.shades) {
+    if (shade.to < x.lo || shade.from > x.hi) continue;
+    dots.shade(at.x(std::max(shade.from, x.lo)),
+               at.x(std::min(shade.to, x.hi)),
+               shade.style.colour);
+  }
+  if (!plot.cursor || *plot.cursor < x.lo || *plot.cursor > x.hi) return;
+  const double cursor = at.x(*plot.cursor);
+  dots.line(cursor, 0.0, cursor, dots.height(), {.colour = Colour::Yellow});
+}
+
 void draw_above_curves(Screen& screen, const Frame& frame, const Plot& plot) {
   for (const Spot& spot : plot.spots) {
     const int column = column_of(frame, spot.x);
@@ -311,9 +339,13 @@ void draw_plot(Screen& screen, const Rect& rect, const Plot& plot) {
   draw_title(screen, rect, plot);
   draw_y_axis(screen, frame);
   if (plot.x_labels) draw_x_axis(screen, frame);
-  draw_below_curves(screen, frame, plot);
-  Dots dots(frame.body.width, frame.body.height, screen.ascii());
+  Dots dots(frame.body.width, frame.body.height, screen);
   const DotScale at{frame, dots};
+  if (dots.in_pixels()) {
+    draw_below_curves(dots, at, plot);
+  } else {
+    draw_below_curves(screen, frame, plot);
+  }
   for (const Curve& curve : plot.curves) {
     if (curve.low.size() > 0) draw_band(dots, at, curve);
   }

@@ -44,10 +44,7 @@ struct Projection {
   }
 };
 
-Projection fit(const Wireframe& wire,
-               const Dots& dots,
-               const Pose& pose,
-               bool ascii) {
+Projection fit(const Wireframe& wire, const Dots& dots, const Pose& pose) {
   Projection view;
   view.axes = eye_axes(pose);
   const Eigen::Vector3d lo = wire.points.rowwise().minCoeff();
@@ -57,8 +54,7 @@ Projection fit(const Wireframe& wire,
       view.axes * (wire.points.colwise() - view.centre);
   const double half_width = seen.row(0).cwiseAbs().maxCoeff();
   const double half_height = seen.row(1).cwiseAbs().maxCoeff();
-  // Braille dots are about square; ASCII cells twice as tall as wide.
-  view.stretch = ascii ? 2.0 : 1.0;
+  view.stretch = 1.0 / dots.flatness();
   const double margin = 0.84;
   const double by_width =
       0.5 * dots.width() / std::max(half_width * view.stretch, 1e-12);
@@ -91,14 +87,15 @@ double shape_factor(const Wireframe& wire, const Scene& scene) {
 /// Lines of which neighbours are far enough apart to be told apart.
 std::vector<Edge> legible_lines(const Wireframe& wire,
                                 const Projection& view,
-                                bool ascii) {
+                                const Dots& dots) {
   double length = 0.0;
   for (const Edge& edge : wire.lines) {
     length += (view(wire.points.col(edge[0])) - view(wire.points.col(edge[1])))
                   .norm();
   }
   length /= std::max<double>(static_cast<double>(wire.lines.size()), 1.0);
-  const double least = ascii ? 2.5 : 4.0;  // a cell in between, about
+  // A cell in between, about.
+  const double least = dots.down() == 1 ? 2.5 : 4.0 * dots.grain();
   int every = 1;
   while (length * every < least && every < 64) every *= 2;
   std::vector<Edge> lines;
@@ -199,14 +196,10 @@ std::vector<Layer> layers_of(const Wireframe& wire,
   return layers;
 }
 
-/// A foot to stand on, so that a short stem is seen as well.
 void draw_feet(Dots& dots, const Projection& view, const Layer& stems) {
   for (const Edge& stem : stems.lines) {
     const Eigen::Vector2d foot = view(stems.points.col(stem[0]));
-    const int x = static_cast<int>(std::lround(foot.x()));
-    const int y = static_cast<int>(std::lround(foot.y()));
-    dots.set(x - 1, y, stems.pen);
-    dots.set(x + 1, y, stems.pen);
+    dots.foot(foot.x(), foot.y(), stems.pen);
   }
 }
 
@@ -249,17 +242,16 @@ PlanePlot seen(const Wireframe& wire,
 void draw_marks(Screen& screen,
                 const Rect& rect,
                 const Projection& view,
+                const Dots& dots,
                 const Wireframe& wire,
                 const Scene& scene) {
-  const int per_x = screen.ascii() ? 1 : 2;
-  const int per_y = screen.ascii() ? 1 : 4;
   for (const Mark& mark : scene.marks) {
     const auto found = wire.index.find(mark.node);
     if (found == wire.index.end()) continue;
     const Eigen::Vector2d at = view(wire.points.col(found->second));
     if (!at.allFinite() || at.cwiseAbs().maxCoeff() > 1e6) continue;
-    const int x = rect.x + static_cast<int>(std::floor(at.x() / per_x));
-    const int y = rect.y + static_cast<int>(std::floor(at.y() / per_y));
+    const int x = rect.x + static_cast<int>(std::floor(at.x() / dots.across()));
+    const int y = rect.y + static_cast<int>(std::floor(at.y() / dots.down()));
     if (!rect.holds(x, y)) continue;
     screen.put(x, y, mark.glyph, mark.style);
     const int room = rect.x + rect.width - x - 1;
@@ -322,18 +314,18 @@ void draw_wireframe(Screen& screen,
                     const Scene& scene,
                     const Pose& pose) {
   if (rect.empty() || wire.points.cols() == 0) return;
-  Dots dots(rect.width, rect.height, screen.ascii());
-  const Projection view = fit(wire, dots, pose, screen.ascii());
+  Dots dots(rect.width, rect.height, screen);
+  const Projection view = fit(wire, dots, pose);
   if (screen.drawings() != nullptr)
     keep_drawing(screen, seen(wire, scene, view));
   const std::vector<Layer> layers =
-      layers_of(wire, scene, legible_lines(wire, view, screen.ascii()));
+      layers_of(wire, scene, legible_lines(wire, view, dots));
   for (const Layer& layer : layers) {
     draw_lines(dots, view, layer.points, layer.lines, layer.pen);
   }
   draw_feet(dots, view, layers.back());
   dots.draw(screen, rect.x, rect.y);
-  draw_marks(screen, rect, view, wire, scene);
+  draw_marks(screen, rect, view, dots, wire, scene);
 }
 
 }  // namespace tapfit::tui
