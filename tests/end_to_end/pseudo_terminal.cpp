@@ -21,10 +21,14 @@ constexpr int patience = 6;
 constexpr int patience = 1;
 #endif
 
-winsize size_of(int columns, int rows) {
+winsize size_of(int columns, int rows, const TerminalSetting& setting) {
   winsize size{};
   size.ws_col = static_cast<unsigned short>(columns);
   size.ws_row = static_cast<unsigned short>(rows);
+  if (setting.window_tells_pixels) {
+    size.ws_xpixel = static_cast<unsigned short>(columns * setting.cell.width);
+    size.ws_ypixel = static_cast<unsigned short>(rows * setting.cell.height);
+  }
   return size;
 }
 
@@ -86,13 +90,14 @@ winsize size_of(int columns, int rows) {
 
 PseudoTerminal::PseudoTerminal(const std::vector<std::string>& arguments,
                                const TerminalSetting& setting)
-    : screen_(setting.columns, setting.rows) {
+    : setting_(setting),
+      screen_(setting.columns, setting.rows, setting.graphics, setting.cell) {
   end_ = posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
   if (end_ < 0 || grantpt(end_) != 0 || unlockpt(end_) != 0) {
     throw std::runtime_error("no pseudo-terminal is to be had");
   }
   line_ = open(ptsname(end_), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  const winsize size = size_of(setting.columns, setting.rows);
+  const winsize size = size_of(setting.columns, setting.rows, setting);
   ioctl(end_, TIOCSWINSZ, &size);
   tcgetattr(line_, &before_);
   std::array<int, 2> told{};
@@ -131,7 +136,7 @@ void PseudoTerminal::type(const std::string& bytes) {
 }
 
 void PseudoTerminal::resize(int columns, int rows) {
-  const winsize size = size_of(columns, rows);
+  const winsize size = size_of(columns, rows, setting_);
   screen_.resize(columns, rows);
   ioctl(end_, TIOCSWINSZ, &size);  // the kernel sends SIGWINCH
 }
@@ -155,6 +160,8 @@ bool PseudoTerminal::take(std::chrono::milliseconds within) {
   const std::string_view bytes(buffer.data(), static_cast<std::size_t>(n));
   read_ += bytes;
   screen_.take(bytes);
+  const std::string answers = screen_.take_answers();
+  if (setting_.answers && !answers.empty()) type(answers);
   return true;
 }
 
@@ -179,6 +186,17 @@ bool PseudoTerminal::shows(const std::string& text,
 bool PseudoTerminal::wrote(const std::string& bytes,
                            std::chrono::milliseconds within) {
   return read_until([&] { return read_.find(bytes) != std::string::npos; },
+                    within);
+}
+
+bool PseudoTerminal::draws(int pixels, std::chrono::milliseconds within) {
+  return read_until([&] { return screen_.pictures().drawn_pixels() >= pixels; },
+                    within);
+}
+
+bool PseudoTerminal::draws_at_most(int pixels,
+                                   std::chrono::milliseconds within) {
+  return read_until([&] { return screen_.pictures().drawn_pixels() <= pixels; },
                     within);
 }
 

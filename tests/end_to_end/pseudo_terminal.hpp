@@ -2,7 +2,7 @@
 // test holds. Keys, a new size, signals in; what is drawn out.
 #pragma once
 
-#include "tests/end_to_end/drawn_screen.hpp"
+#include "tests/support/drawn_screen.hpp"
 
 #include <chrono>
 #include <optional>
@@ -18,6 +18,10 @@ struct TerminalSetting {
   int rows = 30;
   std::string kind = "xterm-256color";   ///< of TERM
   std::vector<std::string> environment;  ///< "NAME=value", besides
+  tui::Graphics graphics = tui::Graphics::None;
+  tui::CellPixels cell = {};         ///< of graphics
+  bool answers = true;               ///< what it is, as terminals do
+  bool window_tells_pixels = false;  ///< else they are asked for
 };
 
 /// One run of the program, started as a shell starts it. What it draws is kept
@@ -46,6 +50,11 @@ class PseudoTerminal {
   /// Reads until the bytes have been written.
   [[nodiscard]] bool wrote(const std::string& bytes,
                            std::chrono::milliseconds within);
+  /// Reads until pictures have at least so many pixels ...
+  [[nodiscard]] bool draws(int pixels, std::chrono::milliseconds within);
+  /// ... or at most.
+  [[nodiscard]] bool draws_at_most(int pixels,
+                                   std::chrono::milliseconds within);
   [[nodiscard]] const DrawnScreen& screen() const { return screen_; }
 
   /// Stopped as by Ctrl-Z, within the time.
@@ -74,6 +83,7 @@ class PseudoTerminal {
   int orders_ = -1;  ///< and what it is to do
   termios before_{};
   std::string read_;
+  TerminalSetting setting_;
   DrawnScreen screen_;
 };
 

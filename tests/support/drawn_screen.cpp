@@ -1,9 +1,13 @@
-#include "tests/end_to_end/drawn_screen.hpp"
+#include "tests/support/drawn_screen.hpp"
 
 #include "tui/screen/text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
+#include <utility>
 
 namespace tapfit::end_to_end {
 namespace {
@@ -21,8 +25,11 @@ void DrawnScreen::resize(int columns, int rows) {
   }
   top_ = 0;
   bottom_ = rows - 1;
+  pictures_ = DrawnPictures(columns, rows, cell_);
   move(x_, y_);
 }
+
+std::string DrawnScreen::take_answers() { return std::exchange(answers_, {}); }
 
 std::string DrawnScreen::text() const {
   std::string text;
@@ -47,13 +54,23 @@ void DrawnScreen::byte(unsigned char c) {
     state_ = State::Text;
   } else if (state_ == State::Title) {
     if (c == 7 || c == '\\') state_ = State::Text;
+  } else if (state_ == State::String) {
+    string_ += static_cast<char>(c);
+    if (!string_.ends_with("\033\\")) return;
+    state_ = State::Text;
+    string(kind_, string_.substr(0, string_.size() - 2));
   } else if (state_ == State::Escape) {
     parameters_.clear();
+    string_.clear();
+    kind_ = static_cast<char>(c);
     state_ = c == '['               ? State::Sequence
              : c == ']'             ? State::Title
+             : c == '_' || c == 'P' ? State::String
              : c == '(' || c == ')' ? State::Skip
                                     : State::Text;
     if (c == 'M') scroll(top_, -1);
+    if (c == '7') std::tie(kept_x_, kept_y_) = std::pair(x_, y_);
+    if (c == '8') move(kept_x_, kept_y_);
   } else if (state_ == State::Sequence) {
     if (c >= 0x40) {
       state_ = State::Text;
@@ -92,7 +109,22 @@ void DrawnScreen::control(unsigned char c) {
   }
 }
 
+void DrawnScreen::string(char kind, const std::string& text) {
+  if (kind == 'P' && graphics_ == tui::Graphics::Sixel) {
+    return pictures_.take_sixel(text, x_, y_);
+  }
+  if (graphics_ != tui::Graphics::Kitty || !text.starts_with('G')) return;
+  if (text.find("a=q") != text.npos) answers_ += "\033_Gi=31;OK\033\\";
+  pictures_.take_kitty(text.substr(1), x_, y_);
+}
+
+void DrawnScreen::answer_what_it_is() {
+  answers_ +=
+      graphics_ == tui::Graphics::Sixel ? "\033[?62;4;22c" : "\033[?62;22c";
+}
+
 void DrawnScreen::glyph(char32_t code) {
+  pictures_.write_cell(x_, y_);
   rows_[static_cast<std::size_t>(y_)][static_cast<std::size_t>(x_)] = code;
   last_ = code;
   move(x_ + 1, y_);
@@ -112,7 +144,17 @@ int DrawnScreen::parameter(std::size_t i, int otherwise) const {
 void DrawnScreen::erase_in_line(int how) {
   std::u32string& row = rows_[static_cast<std::size_t>(y_)];
   const auto at = row.begin() + x_;
-  std::fill(how == 0 ? at : row.begin(), how == 1 ? at + 1 : row.end(), U' ');
+  const auto from = how == 0 ? at : row.begin();
+  const auto end = how == 1 ? at + 1 : row.end();
+  std::fill(from, end, U' ');
+  write_over(static_cast<std::size_t>(from - row.begin()),
+             static_cast<std::size_t>(end - row.begin()));
+}
+
+void DrawnScreen::write_over(std::size_t from, std::size_t end) {
+  for (std::size_t x = from; x < end; ++x) {
+    pictures_.write_cell(static_cast<int>(x), y_);
+  }
 }
 
 void DrawnScreen::erase_below(int how) {
@@ -120,7 +162,11 @@ void DrawnScreen::erase_below(int how) {
   for (int y = 0; y < count(rows_); ++y) {
     if (y == y_ || (how == 0 && y < y_) || (how == 1 && y > y_)) continue;
     rows_[static_cast<std::size_t>(y)].assign(rows_[0].size(), U' ');
+    for (int x = 0; x < static_cast<int>(rows_[0].size()); ++x) {
+      pictures_.write_cell(x, y);
+    }
   }
+  if (how == 2) pictures_.clear();
 }
 
 /// Rows from `top` to the stretch's bottom move up by that many.
@@ -165,13 +211,13 @@ void DrawnScreen::sequence(char last) {
       return erase_in_line(parameter(0, 0));
     case 'X':
       row.replace(x, many, many, U' ');
-      return;
+      return write_over(x, x + many);
     case 'P':
       row.erase(x, many).append(many, U' ');
-      return;
+      return write_over(x, row.size());
     case '@':
       row.insert(x, many, U' ').resize(rows_[0].size());
-      return;
+      return write_over(x, row.size());
     case 'L':
       return scroll(y_, -n);
     case 'M':
@@ -182,6 +228,13 @@ void DrawnScreen::sequence(char last) {
       return scroll(top_, -n);
     case 'b':
       for (int i = 0; i < n; ++i) glyph(last_);
+      return;
+    case 'c':
+      return answer_what_it_is();
+    case 't':
+      if (parameters_ == "16" && !cell_.none()) {
+        answers_ += fmt::format("\033[6;{};{}t", cell_.height, cell_.width);
+      }
       return;
     case 'r':
       top_ = n - 1;

@@ -53,6 +53,7 @@ void converse(Terminal& terminal, Program& program) {
   while (!program.quit() && !Terminal::asked_to_end()) {
     changed = program.tick() || changed;
     changed = program.animate() || changed;
+    program.draw_in(terminal.pixels());
     if (changed) terminal.show(program.draw());
     if (changed) terminal.name_window(program.window_title());
     changed = take_keys(terminal, program);
@@ -102,6 +103,15 @@ bool let_go(Program& program) {
   return !program.busy();
 }
 
+/// Who asks for blocks or ASCII is given them.
+GraphicsWish wanted_graphics(const AppOptions& options,
+                             const Settings& settings,
+                             Glyphs glyphs) {
+  if (glyphs == Glyphs::Ascii) return GraphicsWish::Off;
+  return options.graphics.value_or(options.blocks ? GraphicsWish::Off
+                                                  : settings.graphics);
+}
+
 std::unique_ptr<Terminal> open_terminal(const AppOptions& options,
                                         const Settings& settings,
                                         Glyphs glyphs) {
@@ -112,7 +122,8 @@ std::unique_ptr<Terminal> open_terminal(const AppOptions& options,
       TerminalOptions{options.no_colour ? Theme::Mono : settings.theme,
                       options.no_mouse,
                       glyphs == Glyphs::Blocks,
-                      options.light || (!options.dark && light)});
+                      options.light || (!options.dark && light),
+                      wanted_graphics(options, settings, glyphs)});
 }
 
 int ended() {

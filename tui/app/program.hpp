@@ -44,6 +44,8 @@ class Program {
   ~Program();
 
   void resize(int width, int height);
+  /// Plots are drawn in pixels, where there are.
+  void draw_in(CellPixels pixels) { canvas_.pixels = pixels; }
   void press(Key key);
   /// Takes what the worker has done and gives it the next work.
   /// @return true when the screen may have changed

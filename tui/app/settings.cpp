@@ -96,6 +96,14 @@ std::string take(const std::string& name, const json& value, Settings& into) {
   if (name == "background") {
     return choose<bool>(value, {{"dark", false}, {"light", true}}, into.light);
   }
+  if (name == "graphics") {
+    return choose<GraphicsWish>(value,
+                                {{"auto", GraphicsWish::Auto},
+                                 {"kitty", GraphicsWish::Kitty},
+                                 {"sixel", GraphicsWish::Sixel},
+                                 {"off", GraphicsWish::Off}},
+                                into.graphics);
+  }
   if (name == "magnitude") {
     return choose<MagnitudeScale>(value,
                                   {{"logarithmic", MagnitudeScale::Logarithmic},
@@ -108,7 +116,7 @@ std::string take(const std::string& name, const json& value, Settings& into) {
         value, {{"linear", false}, {"logarithmic", true}}, into.log_frequency);
   }
   const std::vector<std::string> known{
-      "theme", "background", "magnitude", "frequency", "keys"};
+      "theme", "background", "graphics", "magnitude", "frequency", "keys"};
   return fmt::format("is no setting: {}there are {}",
                      did_you_mean(name, known),
                      fmt::join(known, ", "));

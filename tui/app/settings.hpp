@@ -1,11 +1,13 @@
 // What the user has chosen for all tests, in a file: colours, axes, keys.
 //
-//   {"theme": "high-contrast", "background": "light", "magnitude": "dB",
-//    "frequency": "logarithmic", "keys": {"F": "plot", "<C-b>": "band 10 60"}}
+//   {"theme": "high-contrast", "background": "light", "graphics": "off",
+//    "magnitude": "dB", "frequency": "logarithmic", "keys": {"F": "plot",
+//    "<C-b>": "band 10 60"}}
 #pragma once
 
 #include "tui/app/colon_command.hpp"
 #include "tui/screen/palette.hpp"
+#include "tui/screen/terminal_graphics.hpp"
 #include "tui/views/frf_curves.hpp"
 
 #include <filesystem>
@@ -19,6 +21,7 @@ struct Settings {
   std::optional<std::filesystem::path> file;  ///< that was read
   Theme theme = Theme::Default;
   std::optional<bool> light;  ///< the background; empty: not said
+  GraphicsWish graphics = GraphicsWish::Auto;
   MagnitudeScale magnitude = MagnitudeScale::Logarithmic;
   bool log_frequency = false;
   std::vector<KeyBinding> keys;

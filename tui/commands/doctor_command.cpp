@@ -69,6 +69,31 @@ HealthCheck locale_check(const Surroundings& here) {
           "set LANG=C.UTF-8 or another locale of UTF-8 (locale -a lists them)"};
 }
 
+HealthCheck graphics_check(const TerminalGraphics& has,
+                           const Settings& settings) {
+  const Graphics best = has.best();
+  if (best == Graphics::None) {
+    return {"graphics",
+            "none",
+            "curves are drawn in characters; kitty's graphics or sixels would "
+            "draw them in pixels",
+            ""};
+  }
+  HealthCheck check{
+      "graphics",
+      fmt::format("{}, cells of {} x {} pixels",
+                  best == Graphics::Kitty ? "kitty's protocol" : "sixels",
+                  has.cell.width,
+                  has.cell.height),
+      "curves are drawn in pixels; --graphics off draws them in characters",
+      ""};
+  if (settings.graphics == GraphicsWish::Off) {
+    check.found += ", switched off by the settings";
+    check.meaning = "curves are drawn in characters";
+  }
+  return check;
+}
+
 HealthCheck size_check(const TerminalTraits& terminal) {
   HealthCheck check{
       "size",
@@ -237,6 +262,7 @@ std::vector<HealthCheck> health_checks(const Surroundings& here,
           size_check(here.terminal),
           colours_check(here),
           locale_check(here),
+          graphics_check(here.terminal.graphics, settings),
           mouse_check(here.terminal),
           clipboard_check(here),
           settings_check(settings),

@@ -1,6 +1,8 @@
 // How the terminal program is shown.
 #pragma once
 
+#include "tui/screen/terminal_graphics.hpp"
+
 #include <filesystem>
 #include <optional>
 
@@ -10,7 +12,8 @@ struct AppOptions {
   bool ascii = false;      ///< only ASCII glyphs, whatever the locale
   bool no_colour = false;  ///< as if NO_COLOR were set
   bool no_mouse = false;
-  bool blocks = false;  ///< no braille dots
+  bool blocks = false;                   ///< no braille dots
+  std::optional<GraphicsWish> graphics;  ///< empty: as the settings say
   bool light = false;   ///< the terminal's background is light ...
   bool dark = false;    ///< ... or dark, whatever COLORFGBG says
   bool tour = false;    ///< with words on what is seen; of no bundle: of the

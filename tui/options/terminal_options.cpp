@@ -11,6 +11,13 @@ void add_terminal_options(CLI::App& app,
       "Test to open in the terminal: its folder, or a universal file");
   app.add_flag("--ascii", options.ascii, "Only ASCII characters");
   app.add_flag("--blocks", options.blocks, "Blocks instead of braille dots");
+  app.add_option_function<std::string>(
+         "--graphics",
+         [&options](const std::string& word) {
+           options.graphics = graphics_wish(word);
+         },
+         "Pixels for plots: by kitty's protocol, by sixels, or none")
+      ->check(CLI::IsMember({"auto", "kitty", "sixel", "off"}));
   app.add_flag(
       "--no-colour,--no-color", options.no_colour, "No colours (as NO_COLOR)");
   app.add_flag("--light", options.light, "Colours for a light background");

@@ -6,6 +6,8 @@
 #include "tui/screen/glyphs.hpp"
 #include "tui/screen/held_errors.hpp"
 #include "tui/screen/palette.hpp"
+#include "tui/screen/shown_pictures.hpp"
+#include "tui/screen/terminal_signals.hpp"
 #include "tui/screen/terminal_traits.hpp"
 #include "tui/screen/window_title.hpp"
 
@@ -20,59 +22,17 @@
 #include <cstring>
 #include <langinfo.h>
 #include <poll.h>
-#include <termios.h>
 #include <unistd.h>
+#include <utility>
 
 namespace tapfit::tui {
 namespace {
 
-// Signal handlers can reach nothing but globals.
-volatile std::sig_atomic_t end_asked = 0;
-termios saved_modes{};
-
-void ask_to_end(int) { end_asked = 1; }
-
-/// A crash must not leave a dead terminal: shown cursor, main screen, no
-/// mouse reports, plain colours, the line modes of before; then die of it.
-void restore_and_die(int signal_number) {
-  static constexpr char sequences[] =
-      "\033[?1000l\033[?1002l\033[?1006l\033[?1049l\033[?25h\033[0m\r\n";
-  const ssize_t written =
-      write(STDOUT_FILENO, sequences, sizeof(sequences) - 1);
-  (void)written;
-  tcsetattr(STDIN_FILENO, TCSANOW, &saved_modes);
-  std::signal(signal_number, SIG_DFL);
-  raise(signal_number);
-}
+// Of VT340, where graphics are wanted and cells are not known.
+constexpr CellPixels usual_cell{10, 20};
 
 // Within this, what follows an Esc belongs to it.
 constexpr int escape_delay_ms = 25;
-
-constexpr std::array<int, 4> crashes{SIGSEGV, SIGFPE, SIGILL, SIGABRT};
-constexpr std::array<int, 4> endings{SIGTERM, SIGHUP, SIGINT, SIGQUIT};
-
-void set_handler(int signal_number, void (*handler)(int)) {
-  struct sigaction action {};
-  action.sa_handler = handler;
-  sigemptyset(&action.sa_mask);
-  sigaction(signal_number, &action, nullptr);
-}
-
-void (*handler_of(int signal_number))(int) {
-  struct sigaction action {};
-  sigaction(signal_number, nullptr, &action);
-  return action.sa_handler;
-}
-
-// Readers of mapped files answer SIGBUS, and abort where they cannot: theirs
-// stays, whether it was there before the screens or came while they were.
-void take_bus_error() {
-  if (handler_of(SIGBUS) == SIG_DFL) set_handler(SIGBUS, restore_and_die);
-}
-
-void give_back_bus_error() {
-  if (handler_of(SIGBUS) == restore_and_die) set_handler(SIGBUS, SIG_DFL);
-}
 
 bool wants_no_colour(const TerminalOptions& options) {
   const char* variable = std::getenv("NO_COLOR");
@@ -242,7 +202,7 @@ void start_screen() {
   // What draws anywhere on the screen has to get there.
   if (!is_able("cup")) {
     delscreen(screen);
-    tcsetattr(STDIN_FILENO, TCSANOW, &saved_modes);
+    restore_modes();
     refuse_terminal("this kind of terminal cannot place its cursor");
   }
 }
@@ -253,15 +213,43 @@ void send(const std::string& sequence) {
   std::fflush(stdout);
 }
 
+/// The graphics that the user wants, or those that the terminal has.
+/// @param typed takes what was read beside the answer
+Graphics find_graphics(const TerminalOptions& options,
+                       CellPixels& cell,
+                       std::string& typed) {
+  if (options.graphics == GraphicsWish::Off) return Graphics::None;
+  const char* kind = std::getenv("TERM");
+  TerminalGraphics has = ask_for_graphics(kind != nullptr ? kind : "");
+  typed = std::move(has.typed);
+  cell = has.cell;
+  if (options.graphics == GraphicsWish::Auto) return has.best();
+  if (cell.none()) cell = usual_cell;
+  return options.graphics == GraphicsWish::Kitty ? Graphics::Kitty
+                                                 : Graphics::Sixel;
+}
+
 }  // namespace
 
 struct Terminal::Impl {
   std::optional<HeldErrors> errors;
+  std::optional<ShownPictures> pictures;  ///< where it has graphics
+  CellPixels cell;
   Colours colours = Colours::None;
   bool blocks = false;
   bool dims = true;   ///< what is faint is
   std::string title;  ///< of the window, where it was named
 
+  void remove_pictures() {
+    if (pictures) send(pictures->remove());
+  }
+  /// Pixels of cells change with the font, and what was shown may be gone.
+  void take_new_size() {
+    const CellPixels now = cell_of_window();
+    if (!now.none()) cell = now;
+    remove_pictures();
+    clearok(curscr, TRUE);
+  }
   void give_window_back() {
     if (!title.empty()) send(fetch_title);
     title.clear();
@@ -277,7 +265,9 @@ Terminal::Terminal(const TerminalOptions& options)
                      "such as: tapfit run BUNDLE --json");
   }
   (void)locale_is_utf8();
-  tcgetattr(STDIN_FILENO, &saved_modes);
+  keep_modes();
+  std::string typed;
+  const Graphics graphics = find_graphics(options, impl_->cell, typed);
   start_screen();
   impl_->errors.emplace();
   raw();
@@ -296,16 +286,21 @@ Terminal::Terminal(const TerminalOptions& options)
   impl_->blocks = options.blocks;
   make_pairs(impl_->colours, options);
   impl_->dims = options.theme != Theme::HighContrast;
-  end_asked = 0;
-  for (const int ending : endings) set_handler(ending, ask_to_end);
-  for (const int crash : crashes) set_handler(crash, restore_and_die);
-  take_bus_error();
+  if (graphics != Graphics::None) {
+    impl_->pictures.emplace(
+        graphics,
+        inks(options.light,
+             wants_no_colour(options) ? Theme::Mono : options.theme));
+  }
+  for (std::size_t i = typed.size(); i-- > 0;) {
+    ungetch(static_cast<unsigned char>(typed[i]));
+  }
+  take_signals(graphics == Graphics::Kitty);
 }
 
 Terminal::~Terminal() {
-  give_back_bus_error();
-  for (const int crash : crashes) set_handler(crash, SIG_DFL);
-  for (const int ending : endings) set_handler(ending, SIG_DFL);
+  give_signals_back();
+  impl_->remove_pictures();
   endwin();
   impl_->give_window_back();
   // Without a screen of its own the last one stays, and the prompt goes on it.
@@ -314,7 +309,11 @@ Terminal::~Terminal() {
 
 int Terminal::width() const { return COLS; }
 int Terminal::height() const { return LINES; }
-bool Terminal::asked_to_end() { return end_asked != 0; }
+bool Terminal::asked_to_end() { return end_was_asked(); }
+
+CellPixels Terminal::pixels() const {
+  return impl_->pictures ? impl_->cell : CellPixels{};
+}
 
 void Terminal::show(const Screen& screen) {
   erase();
@@ -340,7 +339,13 @@ void Terminal::show(const Screen& screen) {
       mvadd_wch(y, x, &drawn);
     }
   }
+  ShownPictures::Change change;
+  if (impl_->pictures) change = impl_->pictures->show(screen);
+  for (const int row : change.rows) {
+    if (row < LINES) wredrawln(stdscr, row, 1);
+  }
   refresh();
+  if (!change.sequence.empty()) send(change.sequence);
 }
 
 void Terminal::name_window(const std::string& title) {
@@ -353,6 +358,7 @@ void Terminal::name_window(const std::string& title) {
 void Terminal::copy(const std::string& text) { send(clipboard_sequence(text)); }
 
 void Terminal::suspend() {
+  impl_->remove_pictures();
   impl_->give_window_back();
   // ncurses' own handler leaves the screen, stops, and comes back to it.
   raise(SIGTSTP);
@@ -364,9 +370,10 @@ std::optional<Key> Terminal::read_key(int milliseconds) {
   wint_t code = 0;
   const int kind = get_wch(&code);
   if (kind == ERR) {
-    if (line_is_gone()) end_asked = 1;
+    if (line_is_gone()) ask_to_end();
     return std::nullopt;
   }
+  if (kind == KEY_CODE_YES && code == KEY_RESIZE) impl_->take_new_size();
   if (kind == KEY_CODE_YES) return special_key(code);
   return code == 27 ? key_from_escape() : character_key(code);
 }

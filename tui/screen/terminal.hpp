@@ -5,6 +5,7 @@
 #include "tui/screen/key.hpp"
 #include "tui/screen/palette.hpp"
 #include "tui/screen/screen.hpp"
+#include "tui/screen/terminal_graphics.hpp"
 
 #include <memory>
 #include <optional>
@@ -17,6 +18,7 @@ struct TerminalOptions {
   bool no_mouse = false;
   bool blocks = false;  ///< quarter blocks stand in for braille dots
   bool light = false;   ///< colours that are seen on a light background
+  GraphicsWish graphics = GraphicsWish::Off;
 };
 
 /// There is at most one at a time. What other code writes to standard error
@@ -31,6 +33,8 @@ class Terminal {
 
   [[nodiscard]] int width() const;
   [[nodiscard]] int height() const;
+  /// Of a cell, where it shows pictures; else none.
+  [[nodiscard]] CellPixels pixels() const;
   void show(const Screen& screen);
   /// The next key, or nothing within the time.
   [[nodiscard]] std::optional<Key> read_key(int milliseconds);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <poll.h>
 #include <sys/ioctl.h>
 #include <term.h>
 #include <unistd.h>
@@ -13,6 +14,11 @@ namespace {
 bool is_able(const char* capability) {
   const char* text = tigetstr(capability);
   return text != nullptr && text != reinterpret_cast<const char*>(-1);
+}
+
+bool keys_wait() {
+  pollfd line{STDIN_FILENO, POLLIN, 0};
+  return poll(&line, 1, 0) > 0;
 }
 
 }  // namespace
@@ -34,6 +40,10 @@ TerminalTraits look_at_terminal() {
   traits.colours = std::max(tigetnum("colors"), 0);
   traits.mouse = is_able("kmous");
   del_curterm(cur_term);
+  // What is read with an answer would be lost to the shell.
+  if (traits.is_one && !keys_wait()) {
+    traits.graphics = ask_for_graphics(traits.kind);
+  }
   return traits;
 }
 

@@ -1,6 +1,8 @@
 // What kind of terminal it is, by way of terminfo (included here only).
 #pragma once
 
+#include "tui/screen/terminal_graphics.hpp"
+
 #include <string>
 
 namespace tapfit::tui {
@@ -15,6 +17,7 @@ struct TerminalTraits {
   bool mouse = false;
   int width = 0;  ///< [cells], 0 where it does not say
   int height = 0;
+  TerminalGraphics graphics;  ///< nothing where keys wait that were typed
 };
 [[nodiscard]] TerminalTraits look_at_terminal();
 

@@ -70,11 +70,12 @@ TEST_F(SettingsFile, MayBeMissing) {
 TEST_F(SettingsFile, SaysColoursAxesAndKeys) {
   const Settings settings = read(R"({"theme": "high-contrast",
     "background": "light", "magnitude": "dB", "frequency": "logarithmic",
-    "keys": {"F": "plot", "<C-b>": "band 10 60"}})");
+    "graphics": "off", "keys": {"F": "plot", "<C-b>": "band 10 60"}})");
   EXPECT_EQ(fault_words(settings), "");
   EXPECT_EQ(settings.file, settings_file());
   EXPECT_EQ(settings.theme, Theme::HighContrast);
   EXPECT_EQ(settings.light, true);
+  EXPECT_EQ(settings.graphics, GraphicsWish::Off);
   EXPECT_EQ(settings.magnitude, MagnitudeScale::Decibels);
   EXPECT_TRUE(settings.log_frequency);
   ASSERT_EQ(settings.keys.size(), 2U);
@@ -92,7 +93,9 @@ TEST_F(SettingsFile, SaysWhatIsAllowedAndKeepsTheRest) {
                     "theme is \"high-contrats\": did you mean high-contrast? "
                     "write default, high-contrast, mono"))
       << told;
-  EXPECT_TRUE(holds(told, "colour is no setting: there are theme, background"))
+  EXPECT_TRUE(holds(told,
+                    "colour is no setting: there are theme, background, "
+                    "graphics"))
       << told;
   EXPECT_TRUE(holds(told, "magnitude is 3: write logarithmic, linear, dB"))
       << told;

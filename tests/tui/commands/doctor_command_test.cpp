@@ -13,7 +13,7 @@ namespace {
 
 Surroundings healthy() {
   Surroundings here;
-  here.terminal = {true, "xterm-256color", true, true, 256, true, 120, 35};
+  here.terminal = {true, "xterm-256color", true, true, 256, true, 120, 35, {}};
   here.utf8 = true;
   here.locale = "C.UTF-8";
   here.cache = "/home/somebody/.cache/tapfit";
@@ -35,7 +35,7 @@ HealthCheck check_of(const Surroundings& here, const std::string& name) {
 
 TEST(Doctor, HasNoAdviceWhereAllIsWell) {
   const std::vector<HealthCheck> checks = health_checks(healthy(), {});
-  EXPECT_EQ(checks.size(), 10U);
+  EXPECT_EQ(checks.size(), 11U);
   for (const HealthCheck& check : checks) {
     EXPECT_EQ(check.advice, "") << check.name;
     EXPECT_NE(check.found, "") << check.name;
@@ -44,6 +44,18 @@ TEST(Doctor, HasNoAdviceWhereAllIsWell) {
   EXPECT_EQ(check_of(healthy(), "cache").found,
             "/home/somebody/.cache/tapfit, 12 MB");
   EXPECT_EQ(check_of(healthy(), "memory").found, "12.0 GB of 16.0 GB free");
+}
+
+TEST(Doctor, SaysWhatCurvesAreDrawnIn) {
+  Surroundings here = healthy();
+  EXPECT_EQ(check_of(here, "graphics").found, "none");
+  here.terminal.graphics.sixel = true;
+  here.terminal.graphics.cell = {10, 20};
+  EXPECT_EQ(check_of(here, "graphics").found,
+            "sixels, cells of 10 x 20 pixels");
+  here.terminal.graphics.kitty = true;
+  EXPECT_EQ(check_of(here, "graphics").found,
+            "kitty's protocol, cells of 10 x 20 pixels");
 }
 
 TEST(Doctor, NamesTheFileOfSettingsAndWhatIsWrongThere) {
@@ -73,7 +85,7 @@ TEST(Doctor, SaysWhatToDo) {
   here.free_bytes = 3e8;
   here.threads = 1;
   const std::vector<HealthCheck> checks = health_checks(here, {});
-  EXPECT_EQ(std::ranges::count(checks, "", &HealthCheck::advice), 2);
+  EXPECT_EQ(std::ranges::count(checks, "", &HealthCheck::advice), 3);
   EXPECT_EQ(check_of(here, "terminal").advice, "");
   EXPECT_EQ(check_of(here, "size").found, "60 x 35 cells");
   EXPECT_NE(check_of(here, "locale").advice.find("C.UTF-8"), std::string::npos);
@@ -106,7 +118,7 @@ TEST(Doctor, PrintsTextAndJson) {
   }
   options.json = true;
   const auto json = nlohmann::json::parse(doctor_command(options, {}));
-  EXPECT_EQ(json["checks"].size(), 10U);
+  EXPECT_EQ(json["checks"].size(), 11U);
   for (const auto& check : json["checks"]) {
     EXPECT_EQ(check["ok"], check["advice"] == "") << check;
   }
