@@ -28,9 +28,10 @@ struct Entry {
   std::string_view brief = {};  ///< what the help has beside the key, if any
 };
 
-constexpr std::array<Entry, 22> commands{{
+constexpr std::array<Entry, 25> commands{{
     {Kind::Add, "add", "EFFECT[@PLACE] ...", "adds effects to the model"},
     {Kind::Band, "band", "LOW HIGH", "looks for modes in this band [Hz]"},
+    {Kind::Close, "close", "", "ends a split, keeps the other screen"},
     {Kind::Copy, "copy", "", "copies what is plotted", "y", "copy plot"},
     {Kind::Deck, "deck", "[FILE]", "writes the updated deck"},
     {Kind::Drop, "drop", "HZ", "takes the mode there out"},
@@ -42,6 +43,7 @@ constexpr std::array<Entry, 22> commands{{
      "ends a fit and keeps it",
      "S",
      "end fit, keep it"},
+    {Kind::Only, "only", "", "ends a split, keeps this screen"},
     {Kind::Pair, "pair", "I:K", "pairs a measured mode with the model's"},
     {Kind::Pick, "pick", "HZ", "puts a mode in there"},
     {Kind::Plot,
@@ -56,6 +58,12 @@ constexpr std::array<Entry, 22> commands{{
     {Kind::Retry, "retry", "", "tries what failed again", "r", "try again"},
     {Kind::Run, "run", "N", "shows a run of the recording"},
     {Kind::Screen, "screen", "1 ... 7", "shows a screen"},
+    {Kind::Split,
+     "split",
+     "[1 ... 7]",
+     "shows another screen beside, or ends that",
+     "|",
+     "split the screen"},
     {Kind::Stop, "stop", "", "stops what runs"},
     {Kind::Toggle, "toggle", "N", "switches an added effect off and on"},
     {Kind::Tour, "tour", "", "words on each screen, on and off"},
@@ -140,9 +148,11 @@ ColonCommand parse_colon_command(std::string_view text) {
                      fmt::format(":{} {}", word, rest),
                      fmt::format("write :{} alone", word));
   }
-  if (command.kind == Kind::Screen) {
+  const bool splits = command.kind == Kind::Split && !rest.empty();
+  if (command.kind == Kind::Screen || splits) {
     if (rest.size() != 1 || rest[0] < '1' || rest[0] > '7') {
-      throw InputError("which screen?", ":screen", "write 1 to 7");
+      throw InputError(
+          "which screen?", fmt::format(":{}", entry.name), "write 1 to 7");
     }
     command.number = digit(rest[0]);
   }

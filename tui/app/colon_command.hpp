@@ -23,6 +23,9 @@ struct ColonCommand {
     Pair,
     Band,
     Screen,
+    Split,  ///< without a number: opens one, or ends the one there is
+    Only,
+    Close,
     Run,
     Report,
     Deck,
@@ -37,13 +40,14 @@ struct ColonCommand {
   Kind kind = Kind::Help;
   /// Effect of Add; what follows Drop to Band; file of Report to Plot.
   std::string argument;
-  std::size_t number = 0;  ///< of Screen, Run, Toggle; from 1
+  std::size_t number = 0;  ///< of Screen, Split, Run, Toggle; from 1
 };
 
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
-/// "3", "run 12", "report", "deck FILE", "uff", "plot", "copy", "keep", "stop",
-/// "retry", "drop 12.98", "pick 12.98", "pair 2:3", "band 10 60"; a name may be
-/// cut short while it is clear ("sc 3"), or given by letters of it.
+/// "3", "split 4", "only", "close", "run 12", "report", "deck FILE", "uff",
+/// "plot", "copy", "keep", "stop", "retry", "drop 12.98", "pick 12.98", "pair
+/// 2:3", "band 10 60"; a name may be cut short while it is clear ("sc 3"), or
+/// given by letters of it.
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);

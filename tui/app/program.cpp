@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace tapfit::tui {
@@ -58,19 +57,15 @@ Program::Program(std::unique_ptr<Workbench> bench,
 Program::~Program() = default;
 
 void Program::resize(int width, int height) {
+  const bool fitted = panes().has_value();
   canvas_.width = width;
   canvas_.height = height;
   changed_ = true;
-}
-
-bool Program::lacks_input() const {
-  if (!known_.bundle) return false;
-  return (page().wants_model() && !known_.has_model) ||
-         !page().nothing_here(*known_.bundle).empty();
+  if (fitted && !panes()) tell(split_needs());
 }
 
 std::vector<KeyHelp> Program::page_keys() const {
-  if (lacks_input()) return page().keys_without_model();
+  if (lacks_input(page())) return page().keys_without_model();
   std::vector<KeyHelp> keys = page().keys();
   for (const char* command : {"plot", "copy"}) {
     for (const KeyBinding& usual : usual_bindings()) {
@@ -78,44 +73,13 @@ std::vector<KeyHelp> Program::page_keys() const {
       keys.push_back({key_label(usual.key), usual.brief});
     }
   }
+  if (panes()) keys.push_back({"^W", "w: other screen"});
   for (const KeyBinding& own : bound_) {
     std::erase_if(
         keys, [&](const KeyHelp& k) { return k.key == key_label(own.key); });
     keys.push_back({key_label(own.key), own.brief});
   }
   return keys;
-}
-
-bool Program::ready() const {
-  if (lacks_input()) return false;
-  const std::vector<Need> needs = page().essential();
-  return known_.bundle &&
-         std::all_of(needs.begin(), needs.end(), [this](const Need& need) {
-           return known_.has(need) || page().can_wait_for(need, known_);
-         });
-}
-
-std::optional<Need> Program::next_need() const {
-  if (!known_.bundle || lacks_input()) return std::nullopt;
-  for (const Need& need : page().essential()) {
-    if (known_.has(need)) continue;
-    if (failed_.contains(need)) return std::nullopt;
-    return need;
-  }
-  // Commands name places of the model.
-  const Need model{Stage::Model};
-  if (mode_ == Mode::Colon && known_.has_model && !known_.has(model) &&
-      !failed_.contains(model)) {
-    return model;
-  }
-  for (const Need& need : page().welcome(known_)) {
-    if (!known_.has(need) && !failed_.contains(need)) return need;
-  }
-  return std::nullopt;
-}
-
-bool Program::idle() const {
-  return !running_ && actions_.empty() && !next_need();
 }
 
 void Program::start(Job job) {
@@ -148,7 +112,7 @@ void Program::finish(Finished finished) {
     failed_.clear();
     if (!finished.message.empty()) tell(finished.message);
     if (finished.title.starts_with("adding")) {
-      current_ = update_screen;
+      turn_to(update_screen);
       diagnose_page_->untag();
       update_page_->mark_latest();
     }
@@ -188,7 +152,13 @@ bool Program::tick() {
 }
 
 bool Program::animate() {
-  return ready() && !help_open_ && page().animate(known_);
+  if (help_open_) return false;
+  bool moved = false;
+  for (const std::size_t screen : shown_screens()) {
+    Page& one = *pages_[screen];
+    moved = (ready(one) && one.animate(known_)) || moved;
+  }
+  return moved;
 }
 
 void Program::tell(const std::string& text, bool error) {
@@ -232,20 +202,27 @@ void Program::ask_to_quit() {
 
 void Program::go_to(std::size_t index) {
   crumbs_.push_back(current_);
-  current_ = index;
+  turn_to(index);
   mode_ = Mode::Normal;
+}
+
+void Program::turn_to(std::size_t index) {
+  if (index == current_) return;
+  if (split_ && split_->other == index) return change_focus();
+  before_ = current_;
+  current_ = index;
 }
 
 bool Program::go_back() {
   if (crumbs_.empty()) return false;
-  current_ = crumbs_.back();
+  turn_to(crumbs_.back());
   crumbs_.pop_back();
   return true;
 }
 
 void Program::show_screen(std::size_t index) {
   crumbs_.clear();
-  current_ = index;
+  turn_to(index);
   mode_ = Mode::Normal;
 }
 
@@ -273,16 +250,17 @@ void Program::press(Key key) {
 }
 
 void Program::press_normal(Key key) {
+  if (std::exchange(window_key_, false)) return press_after_window_key(key);
   if (const KeyBinding* own = binding_of(bound_, key)) {
     return run_colon(own->command);
   }
   if (!key.ctrl && key.code >= U'1' && key.code <= U'7') {
     return show_screen(key.code - U'1');
   }
-  if (!key.ctrl && ready()) {
+  if (!key.ctrl && ready(page())) {
     Command command;
     if (page().press(known_, key, command)) return carry_out(command);
-  } else if (!key.ctrl && lacks_input()) {
+  } else if (!key.ctrl && lacks_input(page())) {
     Command command;
     if (page().press_without_model(key, command)) return carry_out(command);
   }
@@ -292,6 +270,9 @@ void Program::press_normal(Key key) {
 void Program::press_global(Key key) {
   if (const KeyBinding* usual = binding_of(usual_bindings(), key)) {
     run_colon(usual->command);
+  } else if (key == Key(U'w', true)) {
+    window_key_ = true;
+    tell("^W: w other screen, v split, o only this one, c only the other");
   } else if (key == U':') {
     mode_ = Mode::Colon;
     typed_.clear();
@@ -304,7 +285,7 @@ void Program::press_global(Key key) {
   } else if (key == keys::back_tab) {
     show_screen((current_ + pages_.size() - 1) % pages_.size());
   } else if (key.code < 0xE000 && !key.ctrl) {
-    const bool waits = !ready() && running_;
+    const bool waits = !ready(page()) && running_;
     tell(waits ? fmt::format("{} has to wait for the result", name(key))
                : fmt::format("{} does nothing here; ? shows the keys",
                              name(key)));
@@ -341,11 +322,11 @@ void Program::stop_work() {
 // one's place, the way back; then work that goes on beside.
 void Program::escape() {
   if (quit_asked_before_) return;  // it takes that back, and nothing else
-  if (running_ && (acting() || !ready())) return stop_work();
+  if (running_ && (acting() || !ready(page()))) return stop_work();
   ListState* list = page().list();
   const bool filtered = list != nullptr && !list->filter.empty();
   if (filtered) list->filter.clear();
-  if (filtered || (ready() && page().leave_view()) || go_back()) return;
+  if (filtered || (ready(page()) && page().leave_view()) || go_back()) return;
   running_ ? stop_work() : tell("q quits");
 }
 

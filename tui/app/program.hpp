@@ -10,6 +10,7 @@
 
 #include "tui/app/colon_command.hpp"
 #include "tui/app/settings.hpp"
+#include "tui/app/split_panes.hpp"
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
 #include "tui/views/page.hpp"
@@ -24,6 +25,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace tapfit::tui {
 
@@ -80,6 +82,12 @@ class Program {
     std::string shown;           ///< the name of what is there
   };
 
+  /// Another screen beside the one that the keys go to.
+  struct Split {
+    std::size_t other = 0;
+    bool other_is_second = true;  ///< to the right or below
+  };
+
   /// Where the mouse's button went down on a plot.
   struct Held {
     Zone plot;
@@ -87,7 +95,10 @@ class Program {
   };
 
   [[nodiscard]] Page& page() const { return *pages_[current_]; }
-  [[nodiscard]] bool ready() const;
+  /// What it cannot be drawn without is there.
+  [[nodiscard]] bool ready(const Page& page) const;
+  /// The first result that it cannot be drawn without and that is not there.
+  [[nodiscard]] std::optional<Need> missing(const Page& page) const;
   [[nodiscard]] std::optional<Need> next_need() const;
   void finish(Finished finished);
   void start(Job job);
@@ -110,6 +121,8 @@ class Program {
   /// The same, with a way back by Esc.
   void go_to(std::size_t index);
   bool go_back();
+  /// Shows it where the keys go; where a split shows it, they go there.
+  void turn_to(std::size_t index);
   void run_mode_action(const ColonCommand& command);
   void run_colon(const std::string& text);
   void run_typed();
@@ -137,7 +150,7 @@ class Program {
   /// What runs is what the user asked for, and not a screen's need.
   [[nodiscard]] bool acting() const { return running_ && !running_need_; }
   /// The screen is about what the bundle does not have: a model, recordings.
-  [[nodiscard]] bool lacks_input() const;
+  [[nodiscard]] bool lacks_input(const Page& page) const;
   /// Those that do something now.
   [[nodiscard]] std::vector<KeyHelp> page_keys() const;
   void retry();
@@ -147,8 +160,11 @@ class Program {
   /// The filter in force, for the line that messages stand in.
   [[nodiscard]] std::string filter_words() const;
 
+  /// Between the tabs and the two lines below.
+  [[nodiscard]] Canvas room() const;
   [[nodiscard]] Screen body(const Canvas& canvas) const;
-  [[nodiscard]] Screen waiting(const Canvas& canvas) const;
+  [[nodiscard]] Screen drawn(const Page& page, const Canvas& canvas) const;
+  [[nodiscard]] Screen waiting(const Page& page, const Canvas& canvas) const;
   /// The tour's words, as many rows as they need; none where they are not
   /// shown.
   [[nodiscard]] Screen tour(const Canvas& canvas) const;
@@ -157,6 +173,21 @@ class Program {
   void open_help();
   /// False where the key closes the help.
   bool scroll_help(Key key);
+  /// Where both screens of a split are in the room; none: only one is shown.
+  [[nodiscard]] std::optional<Panes> panes() const;
+  /// The screen that the keys go to, and the one beside it.
+  [[nodiscard]] std::vector<std::size_t> shown_screens() const;
+  /// What the screen that the keys go to has of the room.
+  [[nodiscard]] Canvas focused_canvas() const;
+  void draw_panes(Screen& screen) const;
+  /// Shows another screen beside this one; none named: the one before it.
+  void split(std::optional<std::size_t> other);
+  void end_split(bool keep_focused);
+  void change_focus();
+  void focus_at(int x, int y);
+  /// The key after Ctrl-W.
+  void press_after_window_key(Key key);
+  [[nodiscard]] std::string split_needs() const;
   void draw_tabs(Screen& screen) const;
   void draw_line(Screen& screen, int y) const;
   void draw_work(Screen& screen, int y) const;
@@ -176,6 +207,9 @@ class Program {
   DiagnosePage* diagnose_page_ = nullptr;    ///< another
   UpdatePage* update_page_ = nullptr;        ///< another
   std::size_t current_ = 0;
+  std::size_t before_ = 0;      ///< shown before it
+  std::optional<Split> split_;  ///< what is shown beside it
+  bool window_key_ = false;     ///< Ctrl-W was the last key
   Mode mode_ = Mode::Normal;
   std::vector<KeyBinding> bound_;    ///< the user's own, before all others
   std::optional<Held> held_;         ///< since the last key

@@ -8,9 +8,6 @@
 namespace tapfit::tui {
 namespace {
 
-/// Of the screen, tabs and bars left out.
-constexpr int bars = 3;
-
 /// Keys and what they do, in columns as wide as the longest but few.
 std::vector<std::string> key_lines(const std::vector<KeyHelp>& keys,
                                    int width) {
@@ -68,6 +65,7 @@ std::vector<std::string> Program::help_lines() const {
     everywhere.push_back({key_label(usual.key), usual.brief});
   }
   everywhere.push_back({"^Z", "shell, fg back"});
+  if (split_) everywhere.push_back({"^W", "w: other screen"});
   if (page().list() != nullptr) everywhere.push_back({"/", "filter the list"});
   for (const KeyHelp& key : everywhere) {
     const bool known =
@@ -77,7 +75,7 @@ std::vector<std::string> Program::help_lines() const {
     if (!known) all.push_back(key);
   }
   for (const std::string& line : key_lines(all, width)) lines.push_back(line);
-  return fitted_lines(std::move(lines), text_box_rows(canvas_.height - bars));
+  return fitted_lines(std::move(lines), text_box_rows(room().height));
 }
 
 Screen Program::help(const Canvas& canvas) const {
@@ -100,7 +98,7 @@ void Program::open_help() {
 }
 
 bool Program::scroll_help(Key key) {
-  const int rows = text_box_rows(canvas_.height - bars);
+  const int rows = text_box_rows(room().height);
   const int last = static_cast<int>(help_lines().size()) - rows;
   const std::optional<int> down = scroll_of(key, rows);
   if (!help_open_ || !down || last <= 0) return false;

@@ -10,13 +10,14 @@ namespace tapfit::tui {
 void Program::mouse(Key key) {
   const Screen screen = draw();
   const Zone* zone = screen.zone_at(key.x, key.y);
-  if (zone == nullptr) return;
+  if (zone == nullptr) return focus_at(key.x, key.y);
   if (zone->kind == Zone::Kind::Key) {
     const Key meant(static_cast<char32_t>(zone->index), zone->column != 0);
     return press_normal(meant);
   }
   if (zone->kind == Zone::Kind::Command) return choose_command(zone->index);
-  if (!ready()) return;
+  focus_at(key.x, key.y);
+  if (!ready(page())) return;
   if (zone->kind == Zone::Kind::PlotX) held_ = Held{*zone, key.x};
   page().click(known_, *zone, key.x);
 }
@@ -37,7 +38,9 @@ void Program::drag(const std::optional<Held>& from, Key to) {
 bool Program::zoom_by_wheel(Key key) {
   const bool closer = key.code == keys::wheel_up;
   if (!closer && key.code != keys::wheel_down) return false;
-  if (mode_ != Mode::Normal || !ready()) return false;
+  if (mode_ != Mode::Normal) return false;
+  focus_at(key.x, key.y);
+  if (!ready(page())) return false;
   const Screen screen = draw();
   const Zone* zone = screen.zone_at(key.x, key.y);
   if (zone == nullptr || zone->kind != Zone::Kind::PlotX) return false;

@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int frame_rows = 3;     // tabs above, two lines below
 constexpr std::size_t most = 26;  // a letter each
 
 struct PlotFile {
@@ -84,16 +83,17 @@ std::string lower(std::string text) {
 
 std::vector<Drawing> Program::plotted() const {
   Drawings drawings;
-  if (ready()) {
-    (void)page().draw(
-        known_,
-        {canvas_.width, canvas_.height - frame_rows, canvas_.ascii, &drawings});
+  if (ready(page())) {
+    Canvas canvas = focused_canvas();
+    canvas.drawings = &drawings;
+    canvas.pixels = {};
+    (void)page().draw(known_, canvas);
   }
   return std::move(drawings.shown);
 }
 
 std::string Program::why_no_plot() const {
-  if (lacks_input())
+  if (lacks_input(page()))
     return "nothing is plotted here: the test has no such data";
   if (!known_.bundle) return "nothing is plotted yet: the bundle is opened";
   const auto missing = [this](const std::vector<Need>& needs) {

@@ -17,11 +17,10 @@
 namespace tapfit::tui {
 namespace {
 
-constexpr int least_width = 80;
-constexpr int least_height = 24;
-
-std::string tab_text(std::size_t index, const Page& page) {
-  return fmt::format(" {} {} ", index + 1, page.title());
+/// @param beside the one that is shown, without the keys
+std::string tab_text(std::size_t index, const Page& page, bool beside) {
+  return beside ? fmt::format("[{} {}]", index + 1, page.title())
+                : fmt::format(" {} {} ", index + 1, page.title());
 }
 
 Screen too_small(const Canvas& canvas) {
@@ -149,21 +148,25 @@ Screen Program::draw() const {
   }
   Screen screen(canvas_);
   draw_tabs(screen);
-  Canvas room = canvas_;
-  room.height -= 3;
-  screen.place(0, 1, help_open_ ? help(room) : body(room));
+  screen.place(0, 1, help_open_ ? help(room()) : body(room()));
   draw_line(screen, canvas_.height - 2);
   draw_keys(screen, canvas_.height - 1);
   return screen;
 }
 
+Canvas Program::room() const {
+  Canvas room = canvas_;
+  room.height -= frame_rows;
+  return room;
+}
+
+Screen Program::drawn(const Page& page, const Canvas& canvas) const {
+  return ready(page) ? page.draw(known_, canvas) : waiting(page, canvas);
+}
+
 Screen Program::body(const Canvas& canvas) const {
   Screen screen(canvas);
-  const Screen words = tour(canvas);
-  Canvas room = canvas;
-  room.height -= words.height();
-  screen.place(0, 0, ready() ? page().draw(known_, room) : waiting(room));
-  screen.place(0, room.height, words);
+  draw_panes(screen);
   draw_live(screen);
   draw_palette(screen);
   if (boxed()) {
@@ -176,18 +179,18 @@ Screen Program::body(const Canvas& canvas) const {
   return screen;
 }
 
-Screen Program::waiting(const Canvas& canvas) const {
+Screen Program::waiting(const Page& page, const Canvas& canvas) const {
   Screen screen(canvas);
   const auto say = [&](const std::string& title, const std::string& words) {
     draw_text_box(
         screen, title, wrapped(words, std::min(canvas.width - 8, 72)), {});
   };
-  if (lacks_input() && !page().wants_model()) {
-    say(page().title(), page().nothing_here(*known_.bundle));
+  if (lacks_input(page) && !page.wants_model()) {
+    say(page.title(), page.nothing_here(*known_.bundle));
     return screen;
   }
-  if (lacks_input()) {
-    say(page().title(),
+  if (lacks_input(page)) {
+    say(page.title(),
         "This bundle has no model, so there is nothing to compare with. "
         "Recording (1), FRFs (2) and modes (3) need none.\n \nTo go on, put "
         "the Nastran deck beside test.json and name it there, as in "
@@ -195,7 +198,7 @@ Screen Program::waiting(const Canvas& canvas) const {
         "Market files. Then open the bundle again.");
     return screen;
   }
-  for (const Need& need : page().essential()) {
+  for (const Need& need : page.essential()) {
     if (known_.has(need)) continue;
     const auto failed = failed_.find(need);
     if (failed != failed_.end()) {
@@ -227,7 +230,8 @@ void Program::draw_tabs(Screen& screen) const {
     style.reverse = i == current_;
     style.bold = i == current_;
     const int start = x;
-    x = screen.text(x, 0, tab_text(i, *pages_[i]), style);
+    const bool beside = panes() && split_->other == i;
+    x = screen.text(x, 0, tab_text(i, *pages_[i], beside), style);
     screen.zone({.rect = {start, 0, x - start, 1},
                  .kind = Zone::Kind::Key,
                  .index = U'1' + i});
@@ -272,7 +276,7 @@ void Program::draw_line(Screen& screen, int y) const {
   }
   if (shown_.busy) return draw_work(screen, y);
   const std::string words = filter_words() + (boxed() ? "" : message_);
-  if (words.empty() && (ready() || lacks_input())) {
+  if (words.empty() && (ready(page()) || lacks_input(page()))) {
     screen.text(
         1, y, step_words(current_, known_), {.colour = Colour::Grey}, width);
     return;

@@ -143,6 +143,14 @@ void Program::run_colon(const std::string& text) {
       return retry();
     case Kind::Tour:
       return show_tour(!tour_);
+    case Kind::Split:
+      if (split_ && command.number == 0) return end_split(true);
+      return split(command.number == 0 ? std::nullopt
+                                       : std::optional(command.number - 1));
+    case Kind::Only:
+      return end_split(true);
+    case Kind::Close:
+      return end_split(false);
     case Kind::Screen:
       return show_screen(command.number - 1);
   }

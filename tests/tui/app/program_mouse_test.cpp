@@ -90,7 +90,7 @@ TEST(Mouse, ClicksOnThePaletteCarryACommandOutOrTypeIt) {
 
 // The palette's frame hides what is below it from the mouse, too.
 TEST(Mouse, ChoosesNothingThroughThePalette) {
-  Program program(testing::fake_workbench(), {100, 30, false});
+  Program program(testing::fake_workbench(), {100, 33, false});
   wait_until_idle(program);
   program.press(U'2');
   wait_until_idle(program);

@@ -32,7 +32,7 @@ TEST(Palette, SaysWhatCommandsDo) {
   EXPECT_TRUE(holds(one, "takes the mode there out")) << one;
   EXPECT_FALSE(holds(one, "tries what failed again")) << one;
   EXPECT_FALSE(holds(played("1\nwait\n:drop<Esc>"), "takes the mode"));
-  EXPECT_TRUE(holds(played("1\nwait\n:"), "... 6 more"));
+  EXPECT_TRUE(holds(played("1\nwait\n:"), "... 9 more"));
   EXPECT_FALSE(holds(played("1\nwait\n:", {120, 35, false}), " more"));
 }
 
