@@ -73,7 +73,7 @@ std::vector<KeyHelp> Program::page_keys() const {
       keys.push_back({key_label(usual.key), usual.brief});
     }
   }
-  if (panes()) keys.push_back({"^W", "w: other screen"});
+  if (panes()) keys.insert(keys.begin(), {"^W", "w: other screen"});
   for (const KeyBinding& own : bound_) {
     std::erase_if(
         keys, [&](const KeyHelp& k) { return k.key == key_label(own.key); });

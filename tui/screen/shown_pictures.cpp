@@ -29,6 +29,23 @@ PixelPicture beside_glyphs(PixelPicture picture, const Screen& screen) {
   return picture;
 }
 
+/// Its sixels, piece by piece: xterm cuts what is longer than 1000 pixels.
+std::string sixels_of(const PixelPicture& picture, const Inks& inks) {
+  constexpr int longest = 1000;
+  const Rect& all = picture.rect;
+  const int columns = std::max(longest / picture.cell.width, 1);
+  const int rows = std::max(longest / picture.cell.height, 1);
+  std::string text;
+  for (int y = all.y; y < all.y + all.height; y += rows) {
+    for (int x = all.x; x < all.x + all.width; x += columns) {
+      const PixelPicture piece = part_within(picture, {x, y, columns, rows});
+      if (piece.blank()) continue;
+      text += cursor_to(piece.rect) + sixel_sequence(piece, inks);
+    }
+  }
+  return text;
+}
+
 bool lies_in(const PixelPicture& picture, const std::vector<bool>& rows) {
   const auto first = rows.begin() + picture.rect.y;
   return std::find(first, first + picture.rect.height, true) !=
@@ -126,8 +143,7 @@ ShownPictures::Change ShownPictures::show_sixel(const Screen& screen) {
       sent[i] = more = true;
       mark(written, placed[i].picture);
       mark(redrawn, placed[i].picture);
-      change.sequence += cursor_to(placed[i].picture.rect) +
-                         sixel_sequence(placed[i].picture, inks_);
+      change.sequence += sixels_of(placed[i].picture, inks_);
     }
   }
   for (std::size_t y = 0; y < written.size(); ++y) {

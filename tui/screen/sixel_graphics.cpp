@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 
 namespace tapfit::tui {
@@ -60,15 +61,29 @@ std::set<std::uint8_t> inks_in(const PixelPicture& picture, int top, int rows) {
   return found;
 }
 
+/// Colour registers of the inks in use, from 1: some terminals have 16, the
+/// first of which is the background.
+using Registers = std::map<std::uint8_t, int>;
+
+Registers registers_for(const PixelPicture& picture) {
+  Registers registers;
+  for (const std::uint8_t ink : inks_in(picture, 0, picture.height())) {
+    const int next = static_cast<int>(registers.size()) + 1;
+    registers[ink] = next;
+  }
+  return registers;
+}
+
 }  // namespace
 
 std::string sixel_sequence(const PixelPicture& picture, const Inks& inks) {
   std::string text =
       fmt::format("\033P0;1;0q\"1;1;{};{}", picture.width(), picture.height());
-  for (const std::uint8_t ink : inks_in(picture, 0, picture.height())) {
+  const Registers registers = registers_for(picture);
+  for (const auto& [ink, number] : registers) {
     const Rgb& rgb = inks[ink];
     text += fmt::format("#{};2;{};{};{}",
-                        ink,
+                        number,
                         percent_of(rgb.red),
                         percent_of(rgb.green),
                         percent_of(rgb.blue));
@@ -77,7 +92,7 @@ std::string sixel_sequence(const PixelPicture& picture, const Inks& inks) {
     if (top > 0) text += '-';
     bool first = true;
     for (const std::uint8_t ink : inks_in(picture, top, band_rows)) {
-      text += fmt::format("{}#{}", first ? "" : "$", ink);
+      text += fmt::format("{}#{}", first ? "" : "$", registers.at(ink));
       write_columns(text, columns_of(picture, top, ink));
       first = false;
     }

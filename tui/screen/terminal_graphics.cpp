@@ -61,6 +61,13 @@ GraphicsAnswer answer_to(const std::string& question) {
   return answer;
 }
 
+/// None where it can be no cell that is read: some terminals tell others.
+CellPixels believed(CellPixels cell) {
+  const bool legible = cell.width >= 4 && cell.height >= 8 &&
+                       cell.width <= 100 && cell.height <= 200;
+  return legible ? cell : CellPixels{};
+}
+
 }  // namespace
 
 Graphics TerminalGraphics::best() const {
@@ -80,7 +87,7 @@ CellPixels cell_of_window() {
   winsize size{};
   if (ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0) return {};
   if (size.ws_col == 0 || size.ws_row == 0) return {};
-  return {size.ws_xpixel / size.ws_col, size.ws_ypixel / size.ws_row};
+  return believed({size.ws_xpixel / size.ws_col, size.ws_ypixel / size.ws_row});
 }
 
 TerminalGraphics ask_for_graphics(std::string_view kind) {
@@ -90,7 +97,7 @@ TerminalGraphics ask_for_graphics(std::string_view kind) {
   const CellPixels told = cell_of_window();
   return {answer.kitty,
           answer.sixel,
-          told.none() ? answer.cell : told,
+          told.none() ? believed(answer.cell) : told,
           std::move(answer.typed)};
 }
 

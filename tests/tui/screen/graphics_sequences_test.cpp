@@ -74,6 +74,35 @@ TEST(SixelGraphics, ShowsEachPixelThatIsHalfCovered) {
   }
 }
 
+// Some terminals have 16 registers, and the first is the background's.
+TEST(SixelGraphics, TakesAsFewColourRegistersAsItHasInks) {
+  PixelPicture picture = blank_picture({0, 0, 1, 1}, cell);
+  picture.at(0, 0) = {17, 255};
+  picture.at(1, 0) = {3, 255};
+  const std::string sent = sixel_sequence(picture, inks(false, Theme::Default));
+  EXPECT_NE(sent.find("#1;2;"), sent.npos);
+  EXPECT_NE(sent.find("#2;2;"), sent.npos);
+  EXPECT_EQ(sent.find("#17"), sent.npos);
+}
+
+TEST(SixelGraphics, AreSentInPiecesThatXtermTakes) {
+  Screen screen(150, 60);
+  const PixelPicture picture = random_picture({0, 0, 150, 60});
+  screen.add(picture);
+  ShownPictures pictures(Graphics::Sixel, inks(false, Theme::Default));
+  const std::string sent = pictures.show(screen).sequence;
+  EXPECT_NE(sent.find("\"1;1;1000;1000"), sent.npos);
+  EXPECT_NE(sent.find("\"1;1;500;200"), sent.npos);
+  DrawnScreen terminal(150, 60, Graphics::Sixel, cell);
+  terminal.take(sent);
+  for (int y = 0; y < picture.height(); y += 7) {
+    for (int x = 0; x < picture.width(); x += 7) {
+      ASSERT_EQ(terminal.pictures().at(x, y).cover > 0,
+                picture.at(x, y).cover >= 128);
+    }
+  }
+}
+
 class ShownPicturesTest : public ::testing::TestWithParam<Graphics> {
  protected:
   /// As Terminal does: rows written anew, then what is sent.

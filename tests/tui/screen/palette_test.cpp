@@ -9,11 +9,11 @@
 namespace tapfit::tui {
 namespace {
 
-using Rgb = std::array<int, 3>;
+using Triple = std::array<int, 3>;
 
 /// What xterm shows for a colour's number by default.
-Rgb shown(int number) {
-  static constexpr std::array<Rgb, 16> plain{{
+Triple shown(int number) {
+  static constexpr std::array<Triple, 16> plain{{
       {0, 0, 0},
       {205, 0, 0},
       {0, 205, 0},
@@ -41,7 +41,7 @@ Rgb shown(int number) {
   return {level[cube / 36], level[cube / 6 % 6], level[cube % 6]};
 }
 
-double luminance(const Rgb& colour) {
+double luminance(const Triple& colour) {
   const auto linear = [](int value) {
     const double c = value / 255.0;
     return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
@@ -50,7 +50,7 @@ double luminance(const Rgb& colour) {
          0.0722 * linear(colour[2]);
 }
 
-double contrast(const Rgb& a, const Rgb& b) {
+double contrast(const Triple& a, const Triple& b) {
   const auto [low, high] = std::minmax({luminance(a), luminance(b)});
   return (high + 0.05) / (low + 0.05);
 }
@@ -62,7 +62,7 @@ TEST(Palette, ContrastIsAsDefined) {
 
 TEST(Palette, EveryInkCanBeReadOnItsBackground) {
   for (const bool light : {false, true}) {
-    const Rgb ground = shown(light ? 15 : 0);
+    const Triple ground = shown(light ? 15 : 0);
     for (const int colours : {8, 16, 256}) {
       // With few colours there is no red better than 3, what figures need.
       const double least = colours == 256 ? 4.5 : 3.0;
@@ -79,7 +79,7 @@ TEST(Palette, EveryInkCanBeReadOnItsBackground) {
 // Criterion 1.4.6.
 TEST(Palette, HighContrastIsHigh) {
   for (const bool light : {false, true}) {
-    const Rgb ground = shown(light ? 15 : 0);
+    const Triple ground = shown(light ? 15 : 0);
     Palette inks = palette(256, light, Theme::HighContrast);
     for (const short ink : inks) {
       if (ink < 0) continue;
@@ -92,7 +92,7 @@ TEST(Palette, HighContrastIsHigh) {
 
 TEST(Palette, HeatStandsOutTheMoreTheHotterItIs) {
   for (const bool light : {false, true}) {
-    const Rgb ground = shown(light ? 15 : 0);
+    const Triple ground = shown(light ? 15 : 0);
     double before = 1.0;
     for (int heat = 1; heat <= heat_levels; ++heat) {
       const HeatColour& cell =
@@ -111,6 +111,19 @@ TEST(Palette, InksDifferWhereThereAreEnough) {
     std::ranges::sort(inks);
     EXPECT_EQ(std::ranges::adjacent_find(inks), inks.end());
   }
+}
+
+TEST(Palette, IsKnownInPixelsToo) {
+  for (short number = 0; number < 256; ++number) {
+    const Rgb own = rgb_of(number);
+    EXPECT_EQ((Triple{own.red, own.green, own.blue}), shown(number)) << number;
+  }
+  const Inks dark = inks(false, Theme::Default);
+  EXPECT_EQ(dark[ink_number(Colour::Blue, false)], rgb_of(33));
+  EXPECT_EQ(dark[ink_number(Colour::Blue, true)], (Rgb{0, 67, 127}));
+  // Without colours all are the terminal's own.
+  const Inks mono = inks(true, Theme::Mono);
+  EXPECT_EQ(mono[ink_number(Colour::Blue, false)], (Rgb{0, 0, 0}));
 }
 
 }  // namespace
