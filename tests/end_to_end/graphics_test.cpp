@@ -102,6 +102,14 @@ TEST_P(GraphicsTest, GoWhereTheScreenGoes) {
   EXPECT_TRUE(terminal.draws_at_most(0, seconds(1)));
   terminal.resume();
   EXPECT_TRUE(terminal.draws(2000, seconds(5)));
+  // Stopped by another program, which may have written on the terminal.
+  terminal.send(SIGSTOP);
+  ASSERT_TRUE(terminal.stops(seconds(5)));
+  const char* begin = GetParam() == Graphics::Kitty ? apc : "\033P0;1;0q";
+  const std::size_t before = terminal.bytes();
+  terminal.resume();
+  EXPECT_TRUE(terminal.wrote_since(before, begin, seconds(5)));
+  EXPECT_TRUE(terminal.draws(2000, seconds(5)));
   terminal.type("q");
   ASSERT_TRUE(terminal.ends(seconds(10)));
   EXPECT_TRUE(terminal.draws_at_most(0, seconds(1)));

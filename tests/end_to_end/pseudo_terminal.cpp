@@ -185,8 +185,14 @@ bool PseudoTerminal::shows(const std::string& text,
 
 bool PseudoTerminal::wrote(const std::string& bytes,
                            std::chrono::milliseconds within) {
-  return read_until([&] { return read_.find(bytes) != std::string::npos; },
-                    within);
+  return wrote_since(0, bytes, within);
+}
+
+bool PseudoTerminal::wrote_since(std::size_t first,
+                                 const std::string& bytes,
+                                 std::chrono::milliseconds within) {
+  return read_until(
+      [&] { return read_.find(bytes, first) != std::string::npos; }, within);
 }
 
 bool PseudoTerminal::draws(int pixels, std::chrono::milliseconds within) {

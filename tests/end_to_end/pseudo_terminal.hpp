@@ -50,6 +50,11 @@ class PseudoTerminal {
   /// Reads until the bytes have been written.
   [[nodiscard]] bool wrote(const std::string& bytes,
                            std::chrono::milliseconds within);
+  /// The same after the first so many bytes, as of bytes().
+  [[nodiscard]] bool wrote_since(std::size_t first,
+                                 const std::string& bytes,
+                                 std::chrono::milliseconds within);
+  [[nodiscard]] std::size_t bytes() const { return read_.size(); }
   /// Reads until pictures have at least so many pixels ...
   [[nodiscard]] bool draws(int pixels, std::chrono::milliseconds within);
   /// ... or at most.

@@ -244,7 +244,7 @@ struct Terminal::Impl {
     if (pictures) send(pictures->remove());
   }
   /// Pixels of cells change with the font, and what was shown may be gone.
-  void take_new_size() {
+  void draw_anew() {
     const CellPixels now = cell_of_window();
     if (!now.none()) cell = now;
     remove_pictures();
@@ -371,9 +371,11 @@ std::optional<Key> Terminal::read_key(int milliseconds) {
   const int kind = get_wch(&code);
   if (kind == ERR) {
     if (line_is_gone()) ask_to_end();
-    return std::nullopt;
+    if (!was_continued()) return std::nullopt;
+    impl_->draw_anew();
+    return Key(keys::resize);
   }
-  if (kind == KEY_CODE_YES && code == KEY_RESIZE) impl_->take_new_size();
+  if (kind == KEY_CODE_YES && code == KEY_RESIZE) impl_->draw_anew();
   if (kind == KEY_CODE_YES) return special_key(code);
   return code == 27 ? key_from_escape() : character_key(code);
 }

@@ -13,9 +13,11 @@ namespace {
 // Signal handlers can reach nothing but globals.
 volatile std::sig_atomic_t end_asked = 0;
 volatile std::sig_atomic_t pictures_shown = 0;
+volatile std::sig_atomic_t continued = 0;
 termios saved_modes{};
 
 void take_end(int) { end_asked = 1; }
+void take_continuation(int) { continued = 1; }
 
 template <std::size_t Size>
 void write_text(const char (&text)[Size]) {
@@ -72,11 +74,13 @@ void take_signals(bool pictures) {
   pictures_shown = pictures ? 1 : 0;
   for (const int ending : endings) set_handler(ending, take_end);
   for (const int crash : crashes) set_handler(crash, restore_and_die);
+  set_handler(SIGCONT, take_continuation);
   take_bus_error();
 }
 
 void give_signals_back() {
   give_back_bus_error();
+  set_handler(SIGCONT, SIG_DFL);
   for (const int crash : crashes) set_handler(crash, SIG_DFL);
   for (const int ending : endings) set_handler(ending, SIG_DFL);
 }
@@ -84,5 +88,11 @@ void give_signals_back() {
 bool end_was_asked() { return end_asked != 0; }
 
 void ask_to_end() { end_asked = 1; }
+
+bool was_continued() {
+  const bool was = continued != 0;
+  continued = 0;
+  return was;
+}
 
 }  // namespace tapfit::tui

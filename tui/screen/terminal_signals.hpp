@@ -17,4 +17,8 @@ void give_signals_back();
 [[nodiscard]] bool end_was_asked();
 void ask_to_end();
 
+/// The program was stopped and goes on, since the last call: others may have
+/// written on the terminal.
+[[nodiscard]] bool was_continued();
+
 }  // namespace tapfit::tui
