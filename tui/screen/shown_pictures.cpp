@@ -106,6 +106,27 @@ ShownPictures::Change ShownPictures::show_kitty(const Screen& screen) {
   return change;
 }
 
+std::vector<bool> ShownPictures::changed_rows(
+    const Screen& screen, const std::vector<Placed>& placed) const {
+  std::vector<bool> rows(static_cast<std::size_t>(screen.height()));
+  for (int y = 0; y < screen.height(); ++y) {
+    for (int x = 0; x < screen.width(); ++x) {
+      if (changed(screen, x, y)) rows[static_cast<std::size_t>(y)] = true;
+    }
+  }
+  const auto mark_others = [&rows](const std::vector<Placed>& ones,
+                                   const std::vector<Placed>& others) {
+    for (const Placed& one : ones) {
+      const auto same =
+          std::ranges::find(others, one.picture, &Placed::picture);
+      if (same == others.end()) mark(rows, one.picture);
+    }
+  };
+  mark_others(placed_, placed);
+  mark_others(placed, placed_);
+  return rows;
+}
+
 // Sixels are gone only where text is written over them. Whatever changes in a
 // row may write over more of it than has changed.
 ShownPictures::Change ShownPictures::show_sixel(const Screen& screen) {
@@ -114,37 +135,22 @@ ShownPictures::Change ShownPictures::show_sixel(const Screen& screen) {
     PixelPicture seen = beside_glyphs(picture, screen);
     if (!seen.blank()) placed.push_back({std::move(seen), 0});
   }
-  std::vector<bool> written(static_cast<std::size_t>(screen.height()));
-  for (int y = 0; y < screen.height(); ++y) {
-    for (int x = 0; x < screen.width(); ++x) {
-      if (changed(screen, x, y)) written[static_cast<std::size_t>(y)] = true;
-    }
-  }
-  const auto mark_others = [&](const std::vector<Placed>& ones,
-                               const std::vector<Placed>& others) {
-    for (const Placed& one : ones) {
-      const auto same =
-          std::ranges::find(others, one.picture, &Placed::picture);
-      if (same == others.end()) mark(written, one.picture);
-    }
-  };
-  mark_others(placed_, placed);
-  mark_others(placed, placed_);
-  Change change;
+  std::vector<bool> written = changed_rows(screen, placed);
   std::vector<bool> redrawn(written.size());
   for (const Placed& old : placed_) mark(redrawn, old.picture);
+  Change change;
   // Beside a picture that is sent anew another one goes as well.
-  bool more = true;
-  std::vector<bool> sent(placed.size());
-  while (more) {
-    more = false;
-    for (std::size_t i = 0; i < placed.size(); ++i) {
-      if (sent[i] || !lies_in(placed[i].picture, written)) continue;
-      sent[i] = more = true;
-      mark(written, placed[i].picture);
-      mark(redrawn, placed[i].picture);
-      change.sequence += sixels_of(placed[i].picture, inks_);
-    }
+  std::vector<const PixelPicture*> kept;
+  for (const Placed& one : placed) kept.push_back(&one.picture);
+  const auto goes = [&written](const PixelPicture* one) {
+    return lies_in(*one, written);
+  };
+  for (auto gone = std::ranges::find_if(kept, goes); gone != kept.end();
+       gone = std::ranges::find_if(kept, goes)) {
+    mark(written, **gone);
+    mark(redrawn, **gone);
+    change.sequence += sixels_of(**gone, inks_);
+    kept.erase(gone);
   }
   for (std::size_t y = 0; y < written.size(); ++y) {
     if (written[y] && redrawn[y]) change.rows.push_back(static_cast<int>(y));

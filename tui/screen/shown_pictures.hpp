@@ -35,6 +35,9 @@ class ShownPictures {
   };
 
   [[nodiscard]] bool changed(const Screen& screen, int x, int y) const;
+  /// Of the terminal, where cells or pictures are not as they are to be.
+  [[nodiscard]] std::vector<bool> changed_rows(
+      const Screen& screen, const std::vector<Placed>& placed) const;
   [[nodiscard]] Change show_kitty(const Screen& screen);
   [[nodiscard]] Change show_sixel(const Screen& screen);
 

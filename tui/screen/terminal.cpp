@@ -240,6 +240,23 @@ struct Terminal::Impl {
   bool dims = true;   ///< what is faint is
   std::string title;  ///< of the window, where it was named
 
+  void draw(int x, int y, const Cell& cell) const {
+    const char32_t shown = blocks ? block_glyph(cell.glyph) : cell.glyph;
+    const std::array<wchar_t, 3> glyph{
+        static_cast<wchar_t>(shown), static_cast<wchar_t>(cell.mark), 0};
+    const bool heated = colours == Colours::Many;
+    const short pair =
+        colours == Colours::None
+            ? short{0}
+            : pair_number(cell.style.colour, heated ? cell.style.heat : 0);
+    cchar_t drawn;
+    // Where there are too few colours for heat, the hottest stand out.
+    const bool hottest = !heated && cell.style.heat >= 5;
+    const attr_t bits =
+        attributes(cell.style, dims) ^ (hottest ? A_REVERSE : A_NORMAL);
+    setcchar(&drawn, glyph.data(), bits, pair, nullptr);
+    mvadd_wch(y, x, &drawn);
+  }
   void remove_pictures() {
     if (pictures) send(pictures->remove());
   }
@@ -320,23 +337,7 @@ void Terminal::show(const Screen& screen) {
   for (int y = 0; y < std::min(screen.height(), LINES); ++y) {
     for (int x = 0; x < std::min(screen.width(), COLS); ++x) {
       const Cell& cell = screen.at(x, y);
-      if (cell.glyph == 0) continue;
-      const char32_t shown =
-          impl_->blocks ? block_glyph(cell.glyph) : cell.glyph;
-      const std::array<wchar_t, 3> glyph{
-          static_cast<wchar_t>(shown), static_cast<wchar_t>(cell.mark), 0};
-      const bool heated = impl_->colours == Colours::Many;
-      const short pair =
-          impl_->colours == Colours::None
-              ? short{0}
-              : pair_number(cell.style.colour, heated ? cell.style.heat : 0);
-      cchar_t drawn;
-      // Where there are too few colours for heat, the hottest stand out.
-      const bool hottest = !heated && cell.style.heat >= 5;
-      const attr_t bits = attributes(cell.style, impl_->dims) ^
-                          (hottest ? A_REVERSE : A_NORMAL);
-      setcchar(&drawn, glyph.data(), bits, pair, nullptr);
-      mvadd_wch(y, x, &drawn);
+      if (cell.glyph != 0) impl_->draw(x, y, cell);
     }
   }
   ShownPictures::Change change;
