@@ -1,6 +1,7 @@
 #include "tui/widgets/plot.hpp"
 
 #include "tests/support/matchers.hpp"
+#include "tui/screen/palette.hpp"
 #include "tui/widgets/ticks.hpp"
 
 #include <cmath>
@@ -41,6 +42,43 @@ TEST(Plot, DrawsAStraightLineInAscii) {
             "    0|**\n"
             "     +-----------\n"
             "      0     t [s]\n");
+}
+
+// Eleven by eleven cells of 10 x 20 pixels: values 0 to 10 are at their
+// middles.
+TEST(Plot, DrawsInPixelsWhereTheScreenHasThem) {
+  Plot plot;
+  plot.x = {"t", "s", 0.0, 10.0, false};
+  plot.y = {"y", "m", 0.0, 10.0, false};
+  plot.curves.push_back(curve({0.0, 10.0}, {0.0, 10.0}));
+  plot.curves.front().pen.colour = Colour::Sky;
+  plot.cursor = 5.0;
+  plot.shades.push_back({8.0, 10.0, {.colour = Colour::Grey}});
+  plot.markers.push_back({2.0});
+  Canvas canvas{18, 14, false};
+  canvas.pixels = {10, 20};
+  Screen screen(canvas);
+  draw_plot(screen, screen.area(), plot);
+  ASSERT_EQ(screen.pictures().size(), 1U);
+  const PixelPicture& drawn = screen.pictures()[0];
+  EXPECT_EQ(drawn.rect, (Rect{6, 1, 11, 11}));
+  const auto is = [&](int x, int y, Colour colour) {
+    const Pixel& pixel = drawn.at(x, y);
+    return pixel.cover > 127 && pixel.ink == ink_number(colour, false);
+  };
+  for (int value = 0; value <= 10; ++value) {
+    EXPECT_TRUE(is(5 + 10 * value, 210 - 20 * value, Colour::Sky)) << value;
+  }
+  // Nothing is left or right of the first and the last value.
+  EXPECT_EQ(drawn.at(2, 210).cover, 0);
+  EXPECT_TRUE(is(55, 20, Colour::Yellow));
+  int shaded = 0;
+  for (int x = 86; x < 104; ++x) shaded += drawn.at(x, 215).cover > 0 ? 1 : 0;
+  EXPECT_NEAR(shaded, 18 / 4, 1);
+  // A glyph stands where the value is: columns begin at 6.
+  EXPECT_EQ(screen.at(8, 1).glyph, U'▼');
+  const std::string text = screen.to_text();
+  EXPECT_EQ(text.find("░"), text.npos);
 }
 
 TEST(Plot, DrawsTheSameLineInBraille) {
