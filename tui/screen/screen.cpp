@@ -44,12 +44,16 @@ void Screen::set(int x, int y, const Cell& cell) {
   if (at(x, y).glyph == 0 && x > 0 && cell.glyph != 0) blank(x - 1);
   if (x + 1 < width_ && at(x + 1, y).glyph == 0) blank(x + 1);
   this->cell(x, y) = cell;
-  if (cell.glyph != U' ') return;
+}
+
+void Screen::cover(int x, int y) {
+  if (!area().holds(x, y) || at(x, y).glyph != U' ') return;
   for (PixelPicture& picture : pictures_) clear_cell(picture, x, y);
 }
 
 void Screen::put(int x, int y, char32_t glyph, Style style) {
   set(x, y, {ascii_ ? ascii_glyph(glyph) : glyph, style});
+  cover(x, y);
 }
 
 int Screen::text(int x, int y, std::string_view utf8, Style style, int width) {
@@ -109,6 +113,7 @@ void Screen::place(int x, int y, const Screen& other) {
   for (int row = 0; row < other.height(); ++row) {
     for (int column = 0; column < other.width(); ++column) {
       set(x + column, y + row, other.at(column, row));
+      cover(x + column, y + row);
     }
   }
   for (PixelPicture picture : other.pictures_) {

@@ -126,7 +126,7 @@ class Screen {
   /// What is drawn in there so far is the pane of that number.
   void name_pane(const Rect& rect, std::size_t number);
   /// Lies under the glyphs; a blank that is put over it later takes it away
-  /// there.
+  /// there, but for those between words.
   void add(const PixelPicture& picture);
   [[nodiscard]] const std::vector<PixelPicture>& pictures() const {
     return pictures_;
@@ -139,6 +139,8 @@ class Screen {
 
  private:
   void set(int x, int y, const Cell& cell);
+  /// Where there is a blank, pictures end.
+  void cover(int x, int y);
   [[nodiscard]] Cell& cell(int x, int y);
 
   int width_;

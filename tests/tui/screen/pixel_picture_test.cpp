@@ -46,7 +46,7 @@ TEST(PixelPicture, KeepsItsPixelsWhereItIsCut) {
 TEST(PixelPicture, IsGoneWhereBlanksArePutOverItAndLiesUnderGlyphs) {
   Screen screen(10, 5);
   screen.add(filled({0, 0, 10, 5}));
-  screen.put(3, 3, U'x');
+  screen.text(3, 3, "x y");
   EXPECT_EQ(covered_pixels(screen), 50 * 24);
   screen.fill({2, 1, 4, 2}, U' ');
   EXPECT_EQ(covered_pixels(screen), 42 * 24);
