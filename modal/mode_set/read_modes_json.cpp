@@ -74,7 +74,7 @@ std::complex<double> complex_value(const json& value, int sign) {
   return std::complex<double>(value.at(0), value.at(1)) * turned;
 }
 
-/// Of {"value": .., "sd": ..} or of a number.
+/// Of {"value": .., "sd": ..} or of a number; null is what is not known.
 struct Said {
   double value = 0.0;
   double sd = 0.0;
@@ -86,9 +86,9 @@ Said number_at(const json& entry,
   const json said = entry.value(key, json());
   if (said.is_number()) return {said.get<double>()};
   const json value = said.is_object() ? said.value("value", json()) : json();
-  const json sd = said.is_object() ? said.value("sd", json(0.0)) : json();
-  if (value.is_number() && sd.is_number()) {
-    return {value.get<double>(), sd.get<double>()};
+  const json sd = said.is_object() ? said.value("sd", json()) : json();
+  if (value.is_number() && (sd.is_number() || sd.is_null())) {
+    return {value.get<double>(), sd.is_number() ? sd.get<double>() : 0.0};
   }
   throw InputError(
       said.is_null() ? "it is missing"
@@ -99,10 +99,16 @@ Said number_at(const json& entry,
                   key));
 }
 
+bool is_known(const json& entry, const std::string& key) {
+  const json said = entry.value(key, json());
+  return !said.is_null() &&
+         !(said.is_object() && said.value("value", json(0.0)).is_null());
+}
+
 Mode take_mode(const json& entry, const Rows& rows, const std::string& place) {
   Mode mode;
   const Said frequency = number_at(entry, "frequency_hz", place);
-  const Said damping = entry.contains("damping_ratio")
+  const Said damping = is_known(entry, "damping_ratio")
                            ? number_at(entry, "damping_ratio", place)
                            : Said{};
   mode.frequency_sd_hz = frequency.sd;

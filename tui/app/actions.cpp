@@ -3,12 +3,11 @@
 #include "tui/app/keep_work.hpp"
 #include "tui/screen/number.hpp"
 #include "updating/session/added_effect.hpp"
+#include "updating/session/effect_change.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 
 namespace tapfit::tui {
@@ -56,41 +55,15 @@ std::string names_of(const std::vector<updating::EffectRef>& effects) {
   return names;
 }
 
-/// Said where an effect comes to a channel that has it already: each is a
-/// parameter of its own, and their sizes add up there.
-std::string shared_channels(const std::vector<updating::EffectRef>& there,
-                            const std::vector<updating::EffectRef>& added) {
-  std::set<std::string> shared;
-  std::string effect;
-  std::vector<updating::EffectRef> before = there;
-  for (const updating::EffectRef& ref : added) {
-    for (const updating::EffectRef& other : before) {
-      if (other.effect != ref.effect) continue;
-      for (const std::string& channel : ref.where.channels) {
-        if (std::ranges::find(other.where.channels, channel) ==
-            other.where.channels.end()) {
-          continue;
-        }
-        shared.insert(channel);
-        effect = ref.effect;
-      }
-    }
-    before.push_back(ref);
-  }
-  if (shared.empty()) return {};
-  return fmt::format("; {} now counts twice at {}: the sizes add up there",
-                     effect,
-                     fmt::join(shared, ", "));
-}
-
 std::string add_now(Workbench& bench,
                     Snapshot& known,
                     const Progress& progress,
                     const std::vector<updating::EffectRef>& effects) {
-  const std::string shared = shared_channels(known.effects_on(), effects);
+  const std::string twice =
+      updating::counted_twice(known.effects_on(), effects);
   bench.add_together(effects, progress);
   return effects_changed(bench, known, progress, "added " + names_of(effects)) +
-         shared;
+         (twice.empty() ? "" : "; " + twice);
 }
 
 /// Overruling is its own inverse. False where it changes nothing: a truncated
@@ -132,7 +105,7 @@ std::string move_act(Workbench& bench,
 
 Job overrule_hits(
     const std::vector<std::pair<std::size_t, std::size_t>>& hits) {
-  return kept("overruling the hit",
+  return kept("judging the hit manually",
               [hits](Workbench& bench, Snapshot& known, const Progress& p) {
                 std::vector<OverruledHit> changed;
                 for (const auto& [run, hit] : hits) {
@@ -144,7 +117,7 @@ Job overrule_hits(
                 if (!changed.empty()) known.hit_acts.undone.clear();
                 std::string told;
                 if (hits.size() > 1) {
-                  told = fmt::format("{} hits overruled", changed.size());
+                  told = fmt::format("{} hits judged manually", changed.size());
                 }
                 if (changed.size() < hits.size()) {
                   told += fmt::format("{}a truncated hit stays rejected",
@@ -155,7 +128,7 @@ Job overrule_hits(
 }
 
 Job restore_hits() {
-  return kept("taking the overruling back",
+  return kept("undoing a manual judgement",
               [](Workbench& bench, Snapshot& known, const Progress& p) {
                 auto& [done, undone] = known.hit_acts;
                 if (done.empty()) return std::string("nothing to undo");
@@ -165,12 +138,12 @@ Job restore_hits() {
 }
 
 Job overrule_again() {
-  return kept("overruling the hit again",
+  return kept("judging the hit manually again",
               [](Workbench& bench, Snapshot& known, const Progress& p) {
                 auto& [done, undone] = known.hit_acts;
                 if (undone.empty()) return std::string("nothing to redo");
                 return move_act(
-                    bench, known, p, undone, done, "overruled again");
+                    bench, known, p, undone, done, "judged manually again");
               });
 }
 

@@ -98,21 +98,29 @@ bool has_letters(std::string_view name, std::string_view letters) {
   return true;
 }
 
-/// Those that begin so; of none those that hold its letters.
-std::vector<const Entry*> meant_by(std::string_view word) {
+/// Those that begin so, or the one that is called so.
+std::vector<const Entry*> named_by(std::string_view word) {
   std::vector<const Entry*> begin;
-  std::vector<const Entry*> hold;
   for (const Entry& entry : commands) {
     if (entry.name == word) return {&entry};
     if (entry.name.starts_with(word)) begin.push_back(&entry);
-    if (has_letters(entry.name, word)) hold.push_back(&entry);
   }
-  return begin.empty() ? hold : begin;
+  return begin;
+}
+
+/// Where none begins so, those that hold its letters.
+std::vector<const Entry*> meant_by(std::string_view word) {
+  std::vector<const Entry*> meant = named_by(word);
+  if (!meant.empty()) return meant;
+  for (const Entry& entry : commands) {
+    if (has_letters(entry.name, word)) meant.push_back(&entry);
+  }
+  return meant;
 }
 
 const Entry& entry_of(std::string_view word, std::string_view text) {
   if (word.empty()) refuse(word, text);
-  const std::vector<const Entry*> meant = meant_by(word);
+  const std::vector<const Entry*> meant = named_by(word);
   if (meant.empty()) refuse(word, text);
   if (meant.size() == 1) return *meant.front();
   std::vector<std::string_view> names;
@@ -172,6 +180,15 @@ ColonCommand parse_colon_command(std::string_view text) {
     command.number = digit(rest[0]);
   }
   return command;
+}
+
+std::string guessed(std::string_view text) {
+  const std::string_view word = text.substr(0, text.find(' '));
+  if (word.empty() || !named_by(word).empty()) return {};
+  const std::vector<const Entry*> meant = meant_by(word);
+  if (meant.size() != 1) return {};
+  return std::string(meant.front()->name) +
+         std::string(text.substr(word.size()));
 }
 
 std::vector<CommandWords> palette(std::string_view text) {

@@ -46,11 +46,15 @@ struct ColonCommand {
 /// "q", "help", "add added-mass@201", "toggle 2", "undo", "redo", "screen 3",
 /// "3", "split 4", "only", "close", "run 12", "report", "deck FILE", "uff",
 /// "plot", "copy", "keep", "stop", "retry", "drop 12.98", "pick 12.98", "pair
-/// 2:3", "band 10 60"; a name may be cut short while it is clear ("sc 3"), or
-/// given by letters of it.
+/// 2:3", "band 10 60"; a name may be cut short while it is clear ("sc 3").
 ///
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
+
+/// The text with the name of the one command that holds its letters ("repot"
+/// to "report"): not to be carried out before it was seen. Empty where the text
+/// names a command, or none or several hold its letters.
+[[nodiscard]] std::string guessed(std::string_view text);
 
 /// What is shown of a command while it is typed.
 struct CommandWords {

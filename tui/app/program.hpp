@@ -58,6 +58,8 @@ class Program {
   /// Nothing runs and nothing that the screen needs is missing.
   [[nodiscard]] bool idle() const;
   [[nodiscard]] bool quit() const { return quit_; }
+  /// What the screen plots, from top to bottom.
+  [[nodiscard]] std::vector<Drawing> plotted() const;
   /// Asks what runs to stop, for good.
   void leave();
   /// Who puts text into the clipboard; nobody where there is no terminal.
@@ -138,8 +140,6 @@ class Program {
   /// @param named the file; empty: the usual one beside the test
   void write(Output what, const std::string& named);
   void answer_replacing(const Replacement& asked, Key key);
-  /// What the screen plots, from top to bottom.
-  [[nodiscard]] std::vector<Drawing> plotted() const;
   /// What is still worked out, or why that is not to be had.
   [[nodiscard]] std::string why_no_plot() const;
   /// Writes it under a free name, at once.

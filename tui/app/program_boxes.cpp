@@ -29,7 +29,15 @@ Screen Program::tour(const Canvas& canvas) const {
 void Program::draw_palette(Screen& screen) const {
   if (mode_ != Mode::Colon) return;
   const std::vector<CommandWords> words = palette(typed_);
-  if (words.empty()) return;
+  const bool number = typed_.find_first_of("1234567") == 0;
+  if (words.empty() && number) return;  // of a screen
+  if (words.empty()) {
+    const Rect box{0, screen.height() - 3, std::min(screen.width(), 76), 3};
+    screen.fill(box, U' ');
+    screen.box(box, "command", {.colour = Colour::Sky});
+    screen.text(2, box.y + 1, "no command is called so", {}, box.width - 4);
+    return;
+  }
   const auto most = static_cast<std::size_t>(std::max(screen.height() - 4, 1));
   const bool all = words.size() <= most;
   const std::size_t shown = all ? words.size() : most - 1;

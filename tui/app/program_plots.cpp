@@ -21,27 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most = 26;  // a letter each
-
-struct PlotFile {
-  std::string ending;  ///< behind the common name: "-a.svg"
-  std::string content;
-};
-
-/// A picture of each and a table of those with numbers; of several plots with a
-/// letter each, from top to bottom.
-std::vector<PlotFile> plot_files(const std::vector<Drawing>& drawings) {
-  std::vector<PlotFile> files;
-  for (std::size_t i = 0; i < std::min(drawings.size(), most); ++i) {
-    const std::string letter =
-        drawings.size() == 1 ? ""
-                             : std::string{'-', static_cast<char>('a' + i)};
-    files.push_back({letter + ".svg", drawing_picture(drawings[i])});
-    std::string table = drawing_table(drawings[i]);
-    if (!table.empty()) files.push_back({letter + ".csv", std::move(table)});
-  }
-  return files;
-}
 
 /// "run.v2" keeps its point.
 fs::path with_ending(fs::path named, const std::string& ending) {

@@ -76,6 +76,10 @@ void Program::press_colon(Key key) {
 }
 
 void Program::run_typed() {
+  if (const std::string guess = guessed(typed_); !guess.empty()) {
+    typed_ = guess;
+    return;
+  }
   mode_ = Mode::Normal;
   if (!typed_.empty()) typed_before_ = typed_;
   run_colon(typed_);

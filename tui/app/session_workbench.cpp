@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/output_file.hpp"
+#include "tui/options/library_versions.hpp"
 #include "tui/report/session_report.hpp"
 #include "updating/export/measured_uff.hpp"
 #include "updating/export/output_rule_of.hpp"
@@ -128,6 +129,10 @@ class SessionWorkbench final : public Workbench {
   Saving save(const updating::HitActs& acts, const Progress& p) override;
 
  private:
+  void write_document(updating::Session& session,
+                      const std::filesystem::path& path,
+                      const acquisition::OutputRule& rule,
+                      const Progress& p) const;
   void write_report_to(const std::filesystem::path& path,
                        const acquisition::OutputRule& rule,
                        const Progress& p);
@@ -138,18 +143,26 @@ class SessionWorkbench final : public Workbench {
   updating::HitActs hit_acts_;                     ///< when it was opened
 };
 
+void SessionWorkbench::write_document(updating::Session& session,
+                                      const std::filesystem::path& path,
+                                      const acquisition::OutputRule& rule,
+                                      const Progress& p) const {
+  ReportData data = report_data(session, bundle_, p);
+  data.versions = library_versions();
+  write_report(report_document(data), path, rule);
+}
+
 // Where nothing was added, the report adds what the diagnosis supports: in a
 // session of its own, so that the user's stays as it is.
 void SessionWorkbench::write_report_to(const std::filesystem::path& path,
                                        const acquisition::OutputRule& rule,
                                        const Progress& p) {
   if (!session_.has_model() || !session_.effects().empty()) {
-    return write_report(
-        report_document(report_data(session_, bundle_, p)), path, rule);
+    return write_document(session_, path, rule, p);
   }
   updating::Session worked(bundle_, acquisition::Unreadable::LeftOut);
   worked.take_up(session_.saved(p));
-  write_report(report_document(report_data(worked, bundle_, p)), path, rule);
+  write_document(worked, path, rule, p);
 }
 
 // The deck, what was written beside it, and how much of it is to be known.

@@ -274,7 +274,7 @@ CommandLineAnswer answer_to(const CLI::App& app,
   std::ostringstream err;
   if (app.exit(error, out, err) == 0) return {0, out.str()};
   const std::string words = misspelt.empty() ? meant_words(app) : misspelt;
-  return {2, err.str() + words};
+  return {2, plain_words(err.str()) + words};
 }
 
 }  // namespace

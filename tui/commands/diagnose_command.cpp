@@ -216,9 +216,7 @@ std::string findings_text(const updating::Diagnosis& diagnosis) {
             indented_parameters(rung.parameters);
   }
   for (const auto& estimate : diagnosis.model_parameters) {
-    text += fmt::format("  model parameter {} {}\n",
-                        updating::parameters_text({estimate}),
-                        estimate.unit);
+    text += fmt::format("  model parameter {}\n", estimate_text(estimate));
   }
   for (const auto& form : diagnosis.model_form) {
     text += "  " + statement(form) + "\n";

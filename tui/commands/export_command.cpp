@@ -1,6 +1,11 @@
 #include "acquisition/foundation/input_error.hpp"
+#include "acquisition/foundation/output_file.hpp"
 #include "acquisition/uff/write_uff_geometry.hpp"
+#include "tui/app/all_plots.hpp"
+#include "tui/app/session_workbench.hpp"
+#include "tui/commands/command_table.hpp"
 #include "tui/commands/commands.hpp"
+#include "tui/options/csv_table.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/json_text.hpp"
 #include "updating/export/measured_uff.hpp"
@@ -14,6 +19,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <memory>
+#include <string_view>
+#include <system_error>
+#include <utility>
 
 namespace tapfit::tui {
 
@@ -65,6 +74,63 @@ acquisition::UffNodes nodes_as(const CommandOptions& options) {
                                     : acquisition::UffNodes::D2411;
 }
 
+/// Below the folder, which is made where it is not there.
+void write_into(const std::filesystem::path& folder,
+                std::vector<acquisition::FileContent> files,
+                const acquisition::OutputRule& rule,
+                std::vector<std::string>& written) {
+  std::error_code fault;
+  std::filesystem::create_directories(folder, fault);
+  for (acquisition::FileContent& file : files) {
+    file.path = folder / file.path;
+    written.push_back(file.path.string());
+  }
+  acquisition::write_files(files, rule);
+}
+
+std::vector<acquisition::FileContent> plots_of(const CommandOptions& options,
+                                               const Progress& progress) {
+  std::unique_ptr<Workbench> bench =
+      open_session(options.input, Work::Forgotten);
+  std::vector<updating::EffectRef> effects;
+  for (const auto& text : options.effects) {
+    effects.push_back(updating::parse_effect(text));
+  }
+  if (!effects.empty()) bench->add_together(effects, progress);
+  std::vector<acquisition::FileContent> files;
+  for (PlotFile& plot : all_plots(std::move(bench), progress)) {
+    files.push_back({std::move(plot.ending), std::move(plot.content)});
+  }
+  return files;
+}
+
+/// Those of the commands that the test allows.
+std::vector<acquisition::FileContent> tables_of(
+    const CommandOptions& options,
+    const updating::Session& session,
+    const Progress& progress) {
+  const acquisition::TestBundle& bundle = session.bundle();
+  std::vector<std::string_view> wanted{"modes"};
+  if (!bundle.runs.empty()) wanted.emplace_back("hits");
+  if (!bundle.modes) wanted.emplace_back("frf");
+  if (session.has_model()) {
+    wanted.emplace_back("compare");
+    wanted.emplace_back(options.effects.empty() ? "diagnose" : "update");
+  }
+  CommandOptions own;
+  own.input = options.input;
+  own.inside = options.inside;
+  own.effects = options.effects;
+  own.json = true;
+  std::vector<acquisition::FileContent> files;
+  for (const CommandEntry& entry : command_table()) {
+    if (std::ranges::count(wanted, entry.name) == 0) continue;
+    files.push_back({std::string(entry.name) + ".csv",
+                     csv_table(entry.command(own, progress), entry.table)});
+  }
+  return files;
+}
+
 }  // namespace
 
 std::string export_command(const CommandOptions& options,
@@ -103,6 +169,13 @@ std::string export_command(const CommandOptions& options,
   if (options.deck) {
     deck = updating::write_updated_deck(session, *options.deck, rule, progress);
     for (const auto& file : deck.files) written.push_back(file.string());
+  }
+  if (options.plots) {
+    write_into(*options.plots, plots_of(options, progress), rule, written);
+  }
+  if (options.tables) {
+    write_into(
+        *options.tables, tables_of(options, session, progress), rule, written);
   }
   std::vector<structure::CardChange> cards;
   if (options.deck) {

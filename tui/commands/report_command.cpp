@@ -1,5 +1,6 @@
 #include "tui/commands/commands.hpp"
 #include "tui/options/hand_choices.hpp"
+#include "tui/options/library_versions.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/session_report.hpp"
 
@@ -15,7 +16,9 @@ std::string report_command(const CommandOptions& given,
     options.output = session.bundle().folder / usual_report;
     check_outputs(session.bundle(), options);
   }
-  write_report(report_document(report_data(session, options.input, progress)),
+  ReportData data = report_data(session, options.input, progress);
+  data.versions = library_versions();
+  write_report(report_document(data),
                *options.output,
                output_rule(session.bundle(), options));
   return fmt::format("Report written to {}\n", options.output->string());

@@ -1,5 +1,6 @@
 #include "acquisition/foundation/output_file.hpp"
 #include "tui/commands/commands.hpp"
+#include "tui/options/library_versions.hpp"
 #include "tui/options/open_bundle.hpp"
 #include "tui/report/effect_output.hpp"
 #include "tui/report/session_report.hpp"
@@ -24,7 +25,7 @@ std::string session_text(const updating::SavedSession& session) {
   for (const updating::OverruledHit& hit :
        updating::overruled_now(session.overruled)) {
     text += fmt::format(
-        "run {}, hit {}: judged by hand\n", hit.run + 1, hit.hit + 1);
+        "run {}, hit {}: judged manually\n", hit.run + 1, hit.hit + 1);
   }
   TextTable table({"<rung", "error", "frequencies", "MAC", "<parameters"});
   for (const updating::SavedRung& saved : session.ladder) {
@@ -41,7 +42,7 @@ std::string session_text(const updating::SavedSession& session) {
                percent(saved.rung.error),
                paired ? percent(hz_error) : "-",
                shapes ? fmt::format("{:.3f}", mac) : "-",
-               parameters_text(told(saved.rung.parameters))});
+               estimates_text(saved.rung.parameters)});
     if (saved.rung.stopped_after == 0) continue;
     table.add({"  " + updating::stopped_text(saved.rung.stopped_after),
                "",
@@ -90,7 +91,9 @@ std::string session_command(const CommandOptions& options,
   static_cast<void>(session.ladder(progress));
   const updating::SavedSession now = session.saved(progress);
   if (options.output) {
-    write_report(report_document(report_data(session, options.input, progress)),
+    ReportData data = report_data(session, options.input, progress);
+    data.versions = library_versions();
+    write_report(report_document(data),
                  *options.output,
                  output_rule(session.bundle(), options));
   }

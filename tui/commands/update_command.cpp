@@ -13,6 +13,7 @@
 #include "updating/diagnosis/set_up_mistakes.hpp"
 #include "updating/fit/active_constraints.hpp"
 #include "updating/fit/fit_problem.hpp"
+#include "updating/session/effect_change.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -83,6 +84,10 @@ std::string update_command(const CommandOptions& options,
   const auto outliers = session.run_outliers(progress);
   diagnosis.set_up.insert(
       diagnosis.set_up.end(), outliers.begin(), outliers.end());
+  if (std::string twice = updating::counted_twice({}, effects);
+      !twice.empty()) {
+    diagnosis.warnings.push_back(std::move(twice));
+  }
   const auto loose = session.model_warnings(progress);
   diagnosis.warnings.insert(
       diagnosis.warnings.end(), loose.begin(), loose.end());

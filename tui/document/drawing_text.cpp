@@ -198,4 +198,18 @@ std::string drawing_picture(const Drawing& drawing) {
   return std::visit([](const auto& one) { return picture_of(one); }, drawing);
 }
 
+std::vector<PlotFile> plot_files(const std::vector<Drawing>& drawings) {
+  constexpr std::size_t most = 26;  // a letter each
+  std::vector<PlotFile> files;
+  for (std::size_t i = 0; i < std::min(drawings.size(), most); ++i) {
+    const std::string letter =
+        drawings.size() == 1 ? ""
+                             : std::string{'-', static_cast<char>('a' + i)};
+    files.push_back({letter + ".svg", drawing_picture(drawings[i])});
+    std::string table = drawing_table(drawings[i]);
+    if (!table.empty()) files.push_back({letter + ".csv", std::move(table)});
+  }
+  return files;
+}
+
 }  // namespace tapfit::tui

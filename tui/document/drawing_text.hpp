@@ -4,6 +4,7 @@
 #include "tui/widgets/drawing.hpp"
 
 #include <string>
+#include <vector>
 
 namespace tapfit::tui {
 
@@ -17,5 +18,16 @@ namespace tapfit::tui {
 
 /// With its title above it.
 [[nodiscard]] std::string drawing_picture(const Drawing& drawing);
+
+/// A file of a drawing, below the name that all of a screen share.
+struct PlotFile {
+  std::string ending;  ///< behind the common name: "-a.svg"
+  std::string content;
+};
+
+/// A picture of each and a table of those with numbers; of several drawings
+/// with a letter each, from top to bottom.
+[[nodiscard]] std::vector<PlotFile> plot_files(
+    const std::vector<Drawing>& drawings);
 
 }  // namespace tapfit::tui

@@ -180,23 +180,53 @@ struct Entry {
   std::string label;
   Pen pen;
   bool joined = true;
+  char32_t glyph = 0;  ///< of spots, in place of a line
 };
 
 /// A letter is about half as wide as it is high.
 double width_of(const std::string& words) { return 6.7 * text_width(words); }
 
+double width_of(const Entry& entry) { return 46.0 + width_of(entry.label); }
+
+/// How many lines they take, of a picture so wide.
+int legend_lines(const std::vector<Entry>& entries, double width) {
+  int lines = entries.empty() ? 0 : 1;
+  double x = 0.0;
+  for (const Entry& entry : entries) {
+    if (x > 0.0 && x + width_of(entry) > width) {
+      ++lines;
+      x = 0.0;
+    }
+    x += width_of(entry);
+  }
+  return lines;
+}
+
 void draw_legend(const Paper& on, const std::vector<Entry>& entries) {
   double x = on.frame.left;
-  const double y = on.frame.top - legend_height + 7.0;
+  const double width = on.frame.right - on.frame.left;
+  const int lines = legend_lines(entries, width);
+  double y = on.frame.top - legend_height * lines + 7.0;
   for (const Entry& entry : entries) {
-    if (entry.joined) {
+    if (x > on.frame.left && x + width_of(entry) > on.frame.right) {
+      x = on.frame.left;
+      y += legend_height;
+    }
+    if (entry.glyph != 0) {
+      std::string text;
+      append_utf8(text, entry.glyph);
+      on.canvas.text(x + 12.0,
+                     y + 4.5,
+                     text,
+                     {.anchor = "middle", .colour = ink_of(entry.pen.colour)});
+    } else if (entry.joined) {
       on.canvas.line(x, y, x + 24.0, y, pen_stroke(entry.pen));
     } else {
       const Stroke dot = dots_of(entry.pen);
       on.canvas.circle(x + 12.0, y, dot.width / 2.0 + 1.0, dot.colour);
     }
     on.canvas.text(x + 30.0, y + 4.5, entry.label);
-    x += 46.0 + width_of(entry.label);
+    x += width_of(entry);
   }
 }
 
@@ -210,12 +240,25 @@ std::vector<Entry> legend_of(const Lines& lines) {
   return entries;
 }
 
-Frame frame_of(const Picture& picture, bool legend) {
-  return {left_margin,
-          top_margin + (picture.titled ? title_height : 0.0) +
-              (legend ? legend_height : 0.0),
-          picture.width - right_margin,
-          picture.height - bottom_margin};
+/// Of curves, then of the spots that have a meaning.
+std::vector<Entry> legend_of_plot(const Plot& plot) {
+  std::vector<Entry> entries = legend_of(plot.curves);
+  for (const auto& [glyph, meaning] : plot.meanings) {
+    const auto spot = std::ranges::find(plot.spots, glyph, &Spot::glyph);
+    if (spot == plot.spots.end()) continue;
+    entries.push_back({meaning, {spot->style.colour}, false, glyph});
+  }
+  return entries;
+}
+
+Frame frame_of(const Picture& picture, const std::vector<Entry>& legend) {
+  return {
+      left_margin,
+      top_margin + (picture.titled ? title_height : 0.0) +
+          legend_height *
+              legend_lines(legend, picture.width - right_margin - left_margin),
+      picture.width - right_margin,
+      picture.height - bottom_margin};
 }
 
 void draw_title(SvgCanvas& canvas,
@@ -262,8 +305,8 @@ Ranges equal_ranges(const PlanePlot& plane, const Frame& f) {
 }  // namespace
 
 std::string svg_plot(const Plot& plot, const Picture& picture) {
-  const std::vector<Entry> legend = legend_of(plot.curves);
-  const Frame f = frame_of(picture, !legend.empty());
+  const std::vector<Entry> legend = legend_of_plot(plot);
+  const Frame f = frame_of(picture, legend);
   const auto [x, y] = shown_ranges(plot);
   SvgCanvas canvas(picture.width, picture.height, plot.title);
   const Paper on{
@@ -281,7 +324,7 @@ std::string svg_plot(const Plot& plot, const Picture& picture) {
 
 std::string svg_plane(const PlanePlot& plane, const Picture& picture) {
   const std::vector<Entry> legend = legend_of(plane.paths);
-  const Frame f = frame_of(picture, !legend.empty());
+  const Frame f = frame_of(picture, legend);
   const auto [x, y] = equal_ranges(plane, f);
   SvgCanvas canvas(picture.width, picture.height, plane.title);
   const Paper on{

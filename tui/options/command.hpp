@@ -94,6 +94,8 @@ struct CommandOptions {
   std::optional<std::filesystem::path> output;   ///< file or folder to write
   std::optional<std::filesystem::path> records;  ///< time records to write
   std::optional<std::filesystem::path> vtu;      ///< shapes for ParaView
+  std::optional<std::filesystem::path> plots;    ///< folder of all plots
+  std::optional<std::filesystem::path> tables;   ///< folder of all tables
   bool text_records = false;                     ///< these not as binary
   int node_dataset = 2411;  ///< of these universal files: 15 or 2411
   std::optional<std::filesystem::path> saved;  ///< session to do again

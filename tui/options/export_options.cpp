@@ -24,6 +24,18 @@ void add_export_options(CLI::App& command, CommandOptions& options) {
                   ".vtu beside it")
       ->type_name("NAME.pvd");
   command
+      .add_option("--plots",
+                  options.plots,
+                  "What the screens plot, as SVG and CSV; with a model it is "
+                  "diagnosed for that")
+      ->type_name("FOLDER");
+  command
+      .add_option("--tables",
+                  options.tables,
+                  "The tables that --csv prints of hits, frf, modes, compare "
+                  "and diagnose (with --effect: update)")
+      ->type_name("FOLDER");
+  command
       .add_option("--nodes",
                   options.node_dataset,
                   "Dataset of the model's grids in universal files: 2411 "
@@ -32,9 +44,13 @@ void add_export_options(CLI::App& command, CommandOptions& options) {
 }
 
 void check_has_export(const CommandOptions& options) {
-  if (options.uff || options.deck || options.records || options.vtu) return;
+  if (options.uff || options.deck || options.records || options.vtu ||
+      options.plots || options.tables) {
+    return;
+  }
   throw CLI::RequiredError(
-      "a file to write (--uff, --records, --deck, --vtu or several)");
+      "a file to write (--uff, --records, --deck, --vtu, --plots, --tables or "
+      "several)");
 }
 
 }  // namespace tapfit::tui

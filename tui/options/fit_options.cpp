@@ -4,6 +4,8 @@
 #include "updating/prediction/stated_change.hpp"
 #include "updating/residual/line_rule.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 namespace tapfit::tui {
@@ -16,7 +18,9 @@ std::string fault_of(const Parse& parse, const std::string& text) {
     static_cast<void>(parse(text));
     return {};
   } catch (const InputError& error) {
-    return error.what();
+    return error.remedy().empty()
+               ? error.fault()
+               : fmt::format("{} ({})", error.fault(), error.remedy());
   }
 }
 

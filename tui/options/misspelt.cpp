@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <regex>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
@@ -46,6 +49,23 @@ std::string meant_command(const CLI::App& app, const std::string& word) {
   const auto meant = nearest_word(word, commands_of(app));
   return meant ? fmt::format("Did you mean tapfit {}?\n", *meant)
                : std::string();
+}
+
+std::string plain_words(std::string text) {
+  using Pair = std::pair<std::regex, const char*>;
+  static const std::array<Pair, 4> phrases{
+      {{std::regex("(\\S+): At least (\\d+) required but received (\\d+)"),
+        "$1 takes $2 values, $3 was given"},
+       {std::regex("(\\S+): 1 required (?:\\w+:)?(\\S+) missing"),
+        "$1 takes a value: $2"},
+       {std::regex("(\\S+): (\\d+) required (?:\\w+:)?(\\S+) missing"),
+        "$1 takes $2 values: $3"},
+       {std::regex("Value (\\S+) not in range 0\\.0+ to \\d{50,}\\S*"),
+        "\"$1\" is not a number from 0 on"}}};
+  for (const auto& [said, plain] : phrases) {
+    text = std::regex_replace(text, said, plain);
+  }
+  return text;
 }
 
 }  // namespace tapfit::tui

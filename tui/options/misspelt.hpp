@@ -15,4 +15,7 @@ namespace tapfit::tui {
 [[nodiscard]] std::string meant_command(const CLI::App& app,
                                         const std::string& word);
 
+/// What the parser says, in plain words: "--band takes 2 values, 1 was given".
+[[nodiscard]] std::string plain_words(std::string text);
+
 }  // namespace tapfit::tui

@@ -48,7 +48,7 @@ std::string answer_text(const char* whose, const Answer& answer) {
   for (const updating::Rung& rung : answer.effects) {
     text += fmt::format("  {}: {}\n",
                         effect_text(rung.added, rung.where),
-                        updating::parameters_text(told(rung.parameters)));
+                        estimates_text(rung.parameters));
   }
   return text;
 }

@@ -86,9 +86,15 @@ ordered_json model_parameters_json(
 }
 
 std::string estimate_text(const updating::Estimate& estimate) {
-  return is_open(estimate) && !estimate.at_bound
-             ? estimate.name + " " + size_words(estimate)
-             : updating::parameters_text({estimate});
+  return describe(estimate);
+}
+
+std::string estimates_text(const std::vector<updating::Estimate>& estimates) {
+  std::string text;
+  for (const updating::Estimate& estimate : told(estimates)) {
+    text += (text.empty() ? "" : ", ") + estimate_text(estimate);
+  }
+  return text;
 }
 
 std::string ladder_text(const updating::Diagnosis& d) {

@@ -37,10 +37,13 @@ namespace tapfit::tui {
 [[nodiscard]] nlohmann::ordered_json model_parameters_json(
     const std::vector<updating::Estimate>& parameters);
 
-/// "mass_kg 0.0785 +- 0.0006"; what the data do not tell from nothing by the
-/// end of its interval, as the screens do: "damping_ns_per_m at most 0.21 N
-/// s/m".
+/// "mass 0.07850 ± 0.00060 kg"; what the data do not tell from nothing, or
+/// what ended at a bound, by the ends of its interval.
 [[nodiscard]] std::string estimate_text(const updating::Estimate& estimate);
+
+/// The same of all that are told, "A, B".
+[[nodiscard]] std::string estimates_text(
+    const std::vector<updating::Estimate>& estimates);
 
 /// The error ladder: how far each added effect brought the error down. One rung
 /// per line with a bar, the base first and the floor last:

@@ -61,15 +61,20 @@ double median_sd_percent(const signal::Frf& frf) {
 ordered_json frf_json(const signal::FrfSet& frfs, signal::FrfForm form) {
   ordered_json list = ordered_json::array();
   for (const auto& frf : frfs.frfs) {
+    const double sd = median_sd_percent(frf);
     list.push_back({{"response", name(frf.response)},
                     {"reference", name(frf.reference)},
                     {"type", word(form)},
                     {"unit", unit(form)},
                     {"lines", frfs.lines()},
-                    {"mean_coherence", mean_coherence(frf)},
-                    {"median_sd_percent", median_sd_percent(frf)},
+                    {"mean_coherence", nullptr},
+                    {"median_sd_percent", nullptr},
                     {"run", frf.run + 1},
                     {"hits", frf.hits}});
+    // What was not measured is null.
+    ordered_json& told = list.back();
+    if (has_coherence(frf)) told["mean_coherence"] = mean_coherence(frf);
+    if (sd > 0.0) told["median_sd_percent"] = sd;
   }
   return {{"frfs", std::move(list)}, {"statements", frfs.statements}};
 }

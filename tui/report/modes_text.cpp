@@ -94,6 +94,11 @@ ordered_json shifts_json(const modal::PoleShifts& shifts,
           {"statement", statement(shifts, channels)}};
 }
 
+/// Null where it is unknown.
+ordered_json or_null(double value, bool is_known) {
+  return is_known ? ordered_json(value) : ordered_json(nullptr);
+}
+
 // As a test consists of them: nothing was fitted to FRFs.
 bool is_given(const modal::ModeSet& modes) {
   return modes.fitted.empty() && modes.diagram.empty() &&
@@ -115,17 +120,30 @@ std::string heading(const modal::ModeSet& modes) {
 
 }  // namespace
 
+std::string damping_words(const modal::Mode& mode, int digits) {
+  if (!(mode.damping_ratio > 0.0)) return "–";
+  return with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd, digits);
+}
+
+std::string mpc_words(const modal::Mode& mode) {
+  return mode.shape.size() == 0 ? "–" : fixed(mode.mpc, 3);
+}
+
 ordered_json modes_json(const modal::ModeSet& modes,
                         const std::vector<std::string>& channels) {
   ordered_json list = ordered_json::array();
+  const bool fitted = !is_given(modes);
   for (const auto& mode : modes.modes) {
+    const bool damped = mode.damping_ratio > 0.0;
+    const bool shaped = mode.shape.size() > 0;
     list.push_back(
         {{"frequency_hz",
           {{"value", mode.frequency_hz}, {"sd", mode.frequency_sd_hz}}},
          {"damping_ratio",
-          {{"value", mode.damping_ratio}, {"sd", mode.damping_sd}}},
-         {"mpc", mode.mpc},
-         {"mpd_deg", mode.mpd_deg},
+          {{"value", or_null(mode.damping_ratio, damped)},
+           {"sd", or_null(mode.damping_sd, damped && mode.damping_sd > 0.0)}}},
+         {"mpc", or_null(mode.mpc, shaped)},
+         {"mpd_deg", or_null(mode.mpd_deg, shaped)},
          {"cluster", cluster_json(mode.cluster)},
          {"shape", shape_json(modes, mode)},
          {"real_shape", by_point(modes, modal::real_shape(mode.shape))}});
@@ -133,11 +151,12 @@ ordered_json modes_json(const modal::ModeSet& modes,
       list.back()["shape_sd"] = by_point(modes, mode.shape_sd);
     }
   }
-  ordered_json json = {{"modes", std::move(list)},
-                       {"unit_modal_mass", modes.scaled},
-                       {"unrefined_error", modes.unrefined_error},
-                       {"synthesis_error", modes.synthesis_error},
-                       {"warnings", modes.warnings}};
+  ordered_json json = {
+      {"modes", std::move(list)},
+      {"unit_modal_mass", modes.scaled},
+      {"unrefined_error", or_null(modes.unrefined_error, fitted)},
+      {"synthesis_error", or_null(modes.synthesis_error, fitted)},
+      {"warnings", modes.warnings}};
   if (modes.shifts) json["pole_shifts"] = shifts_json(*modes.shifts, channels);
   return json;
 }
@@ -154,15 +173,16 @@ std::string modes_text(const modal::ModeSet& modes,
                    "scatter Hz"});
   for (std::size_t index = 0; index < modes.modes.size(); ++index) {
     const auto& mode = modes.modes[index];
-    table.add({fmt::format("{}", index + 1),
-               with_sd(mode.frequency_hz, mode.frequency_sd_hz),
-               with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd),
-               fmt::format("{:.3f}", mode.mpc),
-               fmt::format("{:.1f}", mode.mpd_deg),
-               fmt::format("{}", mode.cluster.poles),
-               mode.cluster.poles == 0
-                   ? "-"
-                   : fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
+    table.add(
+        {fmt::format("{}", index + 1),
+         with_sd(mode.frequency_hz, mode.frequency_sd_hz),
+         damping_words(mode),
+         mpc_words(mode),
+         mode.shape.size() == 0 ? "–" : fmt::format("{:.1f}", mode.mpd_deg),
+         mode.cluster.poles == 0 ? "–" : fmt::format("{}", mode.cluster.poles),
+         mode.cluster.poles == 0
+             ? "–"
+             : fmt::format("{:.2g}", mode.cluster.frequency_scatter_hz)});
   }
   if (!modes.modes.empty()) text += table.text();
   if (modal::is_significant(modes.shifts)) {

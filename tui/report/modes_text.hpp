@@ -10,6 +10,13 @@
 
 namespace tapfit::tui {
 
+/// "0.440 ± 0.010", in per cent; "–" where none was given.
+[[nodiscard]] std::string damping_words(const modal::Mode& mode,
+                                        int digits = 2);
+
+/// "0.998"; "–" of a mode without a shape.
+[[nodiscard]] std::string mpc_words(const modal::Mode& mode);
+
 /// {"modes": [{"frequency_hz", "damping_ratio", "mpc", "mpd_deg", "cluster",
 /// "shape", "shape_sd"}], "unrefined_error", "synthesis_error", "warnings"}
 /// and, where sensors move between set-ups, "pole_shifts".

@@ -81,7 +81,7 @@ std::optional<bool> keeps_one(const Criterion& one,
 }
 
 const char* judged_words(std::optional<bool> kept) {
-  return !kept ? "–" : *kept ? "✓ pass" : "✗ fail";
+  return !kept ? "not tested" : *kept ? "✓ pass" : "✗ fail";
 }
 
 std::string value_text(const Criterion& one,
@@ -126,10 +126,8 @@ struct Judged {
 Judged judged(const Comparison& comparison,
               const char* when,
               const ReportData& data) {
-  Judged found;
-  found.comparison = &comparison;
-  found.when = when;
-  found.modes = criteria_of(comparison, data.modes.modes.size());
+  Judged found{
+      &comparison, when, criteria_of(comparison, data.modes.modes.size())};
   found.worst = worst_of(found.modes);
   found.tally = tally(found.modes, data.notes.limits);
   return found;
@@ -163,7 +161,9 @@ void add_worst_rows(const std::vector<Judged>& models,
     for (const Judged& model : models) {
       row.push_back(value_text(one, model.worst.*one.found));
       if (!any_limit(limits)) continue;
-      row.emplace_back(judged_words(keeps_one(one, model.worst, limits)));
+      row.emplace_back(limits.*one.limit
+                           ? judged_words(keeps_one(one, model.worst, limits))
+                           : "–");
     }
     table.rows.push_back(std::move(row));
   }
@@ -183,10 +183,8 @@ void add_count_rows(const std::vector<Judged>& models,
     if (!limited) continue;
     pairs.emplace_back(judged_words(model.worst.paired));
     kept.push_back(
-        fmt::format("{} of {}", model.tally.kept, model.tally.judged));
-    kept.emplace_back(judged_words(model.tally.judged > 0
-                                       ? std::optional(model.tally.all())
-                                       : std::nullopt));
+        fmt::format("{} of {}", model.tally.kept, model.tally.modes));
+    kept.emplace_back(judged_words(model.tally.verdict()));
   }
   table.rows.push_back(std::move(pairs));
   if (limited) table.rows.push_back(std::move(kept));
@@ -298,12 +296,6 @@ std::string small_print(const Limits& limits, const Criteria& worst) {
   return text;
 }
 
-std::string kept_words(const Tally& tally) {
-  return tally.all()
-             ? fmt::format("all {} measured modes", tally.judged)
-             : fmt::format("{} of {} measured modes", tally.kept, tally.judged);
-}
-
 }  // namespace
 
 std::vector<Criteria> criteria_of(const Comparison& comparison,
@@ -342,21 +334,27 @@ bool any_limit(const Limits& limits) {
 std::optional<bool> keeps(const Criteria& mode, const Limits& limits) {
   if (!any_limit(limits)) return std::nullopt;
   if (!mode.paired) return false;
-  std::optional<bool> kept;
+  std::optional<bool> kept = true;
   for (const Criterion& one : criteria) {
+    if (!(limits.*one.limit)) continue;
     const std::optional<bool> this_one = keeps_one(one, mode, limits);
-    if (this_one) kept = kept.value_or(true) && *this_one;
+    if (this_one == false) return false;
+    if (!this_one) kept.reset();
   }
   return kept;
 }
 
+std::optional<bool> Tally::verdict() const {
+  if (failed == 0 && (modes == 0 || kept < modes)) return std::nullopt;
+  return failed == 0;
+}
+
 Tally tally(const std::vector<Criteria>& modes, const Limits& limits) {
-  Tally found;
+  Tally found{.modes = modes.size()};
   for (const Criteria& mode : modes) {
     const std::optional<bool> kept = keeps(mode, limits);
-    if (!kept) continue;
-    ++found.judged;
-    found.kept += *kept ? 1 : 0;
+    found.kept += kept == true ? 1 : 0;
+    found.failed += kept == false ? 1 : 0;
   }
   return found;
 }
@@ -366,25 +364,27 @@ std::string criteria_sentence(const ReportData& data) {
   if (!data.model || !any_limit(limits)) return {};
   std::vector<std::string> set;
   for (const Criterion& one : criteria) {
-    if (const std::optional<double>& limit = limits.*one.limit) {
-      set.push_back(
-          fmt::format("{} {}{}", one.brief, number(*limit), one.unit));
-    }
+    const std::optional<double>& limit = limits.*one.limit;
+    if (!limit) continue;
+    set.push_back(fmt::format("{} {}{}", one.brief, number(*limit), one.unit));
   }
-  const std::string text =
-      fmt::format("The limits of the test ({})", enumerated(set));
-  const std::vector<Judged> models = all_judged(data);
+  const std::string text = "The limits of the test (" + enumerated(set) + ")";
+  const auto models = all_judged(data);
   const Tally& now = models.back().tally;
-  if (now.judged == 0)
-    return text + " could not be judged: no mode has a pair.";
-  return fmt::format("{} are kept by {}{}: {}.",
-                     text,
-                     kept_words(now),
-                     models.size() == 1 ? ""
-                                        : fmt::format(", before by {} of {}",
-                                                      models[0].tally.kept,
-                                                      models[0].tally.judged),
-                     now.all() ? "pass" : "fail");
+  const auto verdict = now.verdict();
+  const Tally& was = models.front().tally;
+  std::string before;
+  if (models.size() > 1)
+    before = fmt::format(", before by {} of {}", was.kept, was.modes);
+  return fmt::format(
+      "{} are kept by {} {} measured modes{}: {}.",
+      text,
+      now.kept == now.modes ? "all" : fmt::format("{} of", now.kept),
+      now.modes,
+      before,
+      !verdict   ? "not tested"
+      : *verdict ? "pass"
+                 : "fail");
 }
 
 std::vector<Part> criteria_parts(const ReportData& data) {

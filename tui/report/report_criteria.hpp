@@ -43,17 +43,19 @@ struct Criteria {
 /// Whether any limit is set.
 [[nodiscard]] bool any_limit(const acquisition::Limits& limits);
 
-/// Whether the limits are kept. Those of shapes are not asked of pairs without
-/// shapes.
-/// @return nothing where no limit that is set can be judged
+/// Whether the limits that are set are kept.
+/// @return nothing where one has no value, as MAC of pairs without shapes, and
+///   no other is broken
 [[nodiscard]] std::optional<bool> keeps(const Criteria& mode,
                                         const acquisition::Limits& limits);
 
-/// How many modes keep the limits, among those that can be judged.
+/// How many modes keep all limits that are set, and how many break one.
 struct Tally {
   std::size_t kept = 0;
-  std::size_t judged = 0;
-  [[nodiscard]] bool all() const { return judged > 0 && kept == judged; }
+  std::size_t failed = 0;
+  std::size_t modes = 0;  ///< those that could not be tested among them
+  /// @return nothing where none fails and not all are tested
+  [[nodiscard]] std::optional<bool> verdict() const;
 };
 [[nodiscard]] Tally tally(const std::vector<Criteria>& modes,
                           const acquisition::Limits& limits);

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tapfit::tui {
@@ -41,6 +42,8 @@ struct ReportData {
   modal::ModeSet modes;
   std::optional<ModelResults> model;
   std::vector<std::string> warnings;
+  /// Libraries with their versions, the program's own first; may be empty.
+  std::vector<std::pair<std::string, std::string>> versions = {};
 };
 
 /// The work as it stands. Where no effect was ever added, what the diagnosis of

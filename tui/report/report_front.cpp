@@ -3,13 +3,12 @@
 #include "tui/document/svg_bars.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/report/report_criteria.hpp"
+#include "tui/report/report_evidence.hpp"
 #include "tui/report/report_measurement.hpp"
 #include "tui/report/report_parameters.hpp"
 #include "tui/report/report_verdict.hpp"
 #include "tui/report/report_words.hpp"
-#include "tui/report/robustness_output.hpp"
 #include "tui/screen/number.hpp"
-#include "updating/comparison/compare.hpp"
 #include "updating/fit/early_stopped_fit.hpp"
 
 #include <fmt/format.h>
@@ -229,116 +228,6 @@ Section identified_section(const ReportData& data) {
   return section;
 }
 
-std::string alike_words(const std::vector<updating::EffectRef>& alike) {
-  constexpr std::size_t most = 3;
-  if (alike.empty()) return "uniquely identified";
-  std::vector<std::string> names;
-  for (std::size_t k = 0; k < std::min(alike.size(), most); ++k) {
-    names.push_back(found_words(alike[k].effect, alike[k].where));
-  }
-  std::string text = "indistinguishable with these points from: ";
-  if (alike.size() > most) {
-    names.push_back(fmt::format("{} more", alike.size() - most));
-  }
-  return text + enumerated(names);
-}
-
-std::string held_out_words(const updating::Diagnosis& diagnosis,
-                           const Rung& rung) {
-  for (const updating::Candidate& candidate : diagnosis.candidates) {
-    if (candidate.effect == leading_kind(rung) &&
-        candidate.where == rung.where && candidate.held_out_error > 0.0) {
-      return percent(candidate.held_out_error);
-    }
-  }
-  return "–";
-}
-
-std::string rest_words(const ModelResults& model) {
-  if (!model.rest) return {};
-  if (model.rest->verdict == "none") {
-    return "Diagnosed again with these effects in the model: nothing "
-           "significant is missing any more.";
-  }
-  return fmt::format(
-      "Diagnosed again with these effects in the model: {} is still missing.",
-      model.rest->verdict == "unexplained"
-          ? "something that no known effect explains"
-          : effect_words(model.rest->verdict));
-}
-
-Section sure_section(const ModelResults& model) {
-  Section section{"How sure is it", {}};
-  if (!model.diagnosis) {
-    section.parts.emplace_back(Paragraph{
-        "No diagnosis of the base model is known: effects were chosen by hand, "
-        "and how probable others are has not been worked out."});
-    return section;
-  }
-  DataTable table{
-      "", {"<effect", "probability", "hold-out error", "<look-alikes"}, {}};
-  for (const Rung& rung : effect_rungs(model.ladder)) {
-    const Rung* found = diagnosed_rung(model, rung);
-    if (found == nullptr) {
-      table.rows.push_back(
-          {found_words(rung.added, rung.where), "–", "–", "added by hand"});
-      continue;
-    }
-    table.rows.push_back({found_words(found->added, found->where),
-                          probability(found->probability),
-                          held_out_words(*model.diagnosis, *found),
-                          alike_words(found->alike)});
-  }
-  if (table.rows.empty()) {
-    section.parts.emplace_back(Paragraph{fmt::format(
-        "{} candidates were tried; none lowers the error enough to pay for its "
-        "parameters.",
-        model.diagnosis->candidates.size())});
-  } else {
-    section.parts.emplace_back(table);
-    section.parts.emplace_back(Paragraph{
-        "Probability: among all effects and places that were tried. Hold-out "
-        "error: on runs that the parameters were not fitted to.",
-        Paragraph::Kind::Small});
-  }
-  if (const auto& rows = model.diagnosis->robustness; !rows.empty()) {
-    section.parts.emplace_back(
-        Paragraph{capitalised(firmness_words(rows)) + "."});
-  }
-  if (const std::string rest = rest_words(model); !rest.empty()) {
-    section.parts.emplace_back(Paragraph{rest});
-  }
-  return section;
-}
-
-Section next_section(const ModelResults& model) {
-  BulletList list;
-  if (updating::hides_errors(model.after)) {
-    list.items.push_back(
-        capitalised(typeset(updating::floor_warning(model.after))) + ".");
-  }
-  if (model.diagnosis) {
-    for (const updating::NextMeasurement& next : model.diagnosis->next) {
-      list.items.push_back(next_words(next, model.diagnosis->floor));
-    }
-    for (const updating::SetUpMistake& mistake : model.diagnosis->set_up) {
-      list.items.push_back(
-          fmt::format("Check the sheet, {}, and correct {}.",
-                      found_words(mistake.mistake, mistake.where),
-                      mistake.edit));
-    }
-  }
-  Section section{"What to measure next", {}};
-  if (list.items.empty()) {
-    section.parts.emplace_back(Paragraph{
-        "No further measurement is proposed: nothing found has a look-alike "
-        "that other points would separate."});
-  } else {
-    section.parts.emplace_back(list);
-  }
-  return section;
-}
-
 }  // namespace
 
 std::vector<Section> front_sections(const ReportData& data) {
@@ -357,30 +246,9 @@ std::vector<Section> front_sections(const ReportData& data) {
     return sections;
   }
   sections.push_back(identified_section(data));
-  sections.push_back(sure_section(*data.model));
-  sections.push_back(next_section(*data.model));
+  sections.push_back(sure_section(data));
+  sections.push_back(next_section(data));
   return sections;
-}
-
-std::vector<Section> firmness_sections(const ReportData& data) {
-  if (!data.model || !data.model->diagnosis) return {};
-  const RobustnessRows& rows = data.model->diagnosis->robustness;
-  if (rows.empty()) return {};
-  DataTable table{
-      "", {"<what was changed", "<verdict", "<farthest move of a size"}, {}};
-  for (const updating::Robustness& row : rows) {
-    const std::string move = move_text(row);
-    table.rows.push_back(
-        {row.change,
-         row.verdict_stands ? "stands" : effect_words(row.verdict),
-         move.empty() ? "–" : move});
-  }
-  return {{"How firm the verdict is",
-           {table,
-            Paragraph{"What was found and what came closest were fitted again "
-                      "with each of these changed; sd: standard deviations of "
-                      "the size as stated.",
-                      Paragraph::Kind::Small}}}};
 }
 
 }  // namespace tapfit::tui

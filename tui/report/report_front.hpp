@@ -13,8 +13,4 @@ namespace tapfit::tui {
 /// measure next.
 [[nodiscard]] std::vector<Section> front_sections(const ReportData& data);
 
-/// What becomes of the verdict when something is changed that was assumed, a
-/// row for each; empty where that was not looked at.
-[[nodiscard]] std::vector<Section> firmness_sections(const ReportData& data);
-
 }  // namespace tapfit::tui

@@ -6,6 +6,7 @@
 #include "tui/document/svg_heat_map.hpp"
 #include "tui/document/svg_plot.hpp"
 #include "tui/report/frf_text.hpp"
+#include "tui/report/modes_text.hpp"
 #include "tui/report/report_shapes.hpp"
 #include "tui/report/report_traceability.hpp"
 #include "tui/report/report_words.hpp"
@@ -253,7 +254,7 @@ Figure auto_mac_figure(const modal::ModeSet& modes) {
   map.name = "AutoMAC";
   for (std::size_t k = 0; k < modes.modes.size(); ++k) {
     shapes.col(static_cast<Eigen::Index>(k)) = modes.modes[k].shape;
-    map.rows.push_back(number(modes.modes[k].frequency_hz));
+    map.rows.push_back(four_digits(modes.modes[k].frequency_hz));
   }
   map.columns = map.rows;
   map.values = modal::auto_mac(shapes);
@@ -309,11 +310,9 @@ DataTable mode_rows(const modal::ModeSet& modes) {
     std::vector<std::string> row{
         fmt::format("{}", k + 1),
         with_sd(mode.frequency_hz, mode.frequency_sd_hz),
-        mode.damping_ratio > 0.0
-            ? with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd)
-            : "–"};
+        damping_words(mode)};
     if (shapes) {
-      row.push_back(fixed(mode.mpc, 3));
+      row.push_back(mpc_words(mode));
       row.push_back(fixed(mode.mpd_deg, 1));
     }
     if (poles) {

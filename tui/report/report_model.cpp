@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -25,23 +26,29 @@ bool anything_changed(const ModelResults& model) {
   return model.ladder.size() > 1;
 }
 
-/// The model's modes that a reader looks for: paired, or between those
-/// measured.
-std::vector<Eigen::Index> shown_modes(const ReportData& data,
-                                      const Comparison& comparison) {
+/// The model's modes that a reader looks for: paired, before or after, or
+/// between those measured. The same of both models, for one beside the other.
+std::vector<Eigen::Index> shown_modes(const ReportData& data) {
   constexpr std::size_t most = 14;
   std::vector<Eigen::Index> shown;
   if (data.modes.modes.empty()) return shown;
   const double low = 0.7 * data.modes.modes.front().frequency_hz;
   const double high = 1.2 * data.modes.modes.back().frequency_hz;
+  const std::array<const Comparison*, 2> models{&data.model->before,
+                                                &data.model->after};
   const auto is_paired = [&](Eigen::Index mode) {
-    return std::ranges::any_of(comparison.pairs, [&](const ModePair& pair) {
-      return pair.model == mode;
+    return std::ranges::any_of(models, [mode](const Comparison* c) {
+      return std::ranges::count(c->pairs, mode, &ModePair::model) > 0;
     });
   };
-  for (Eigen::Index k = 0; k < comparison.mac.cols(); ++k) {
-    const double hz = comparison.modes.frequency_hz(k);
-    if (is_paired(k) || (hz >= low && hz <= high)) shown.push_back(k);
+  const Eigen::Index count =
+      std::min(models[0]->mac.cols(), models[1]->mac.cols());
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const bool near = std::ranges::any_of(models, [&](const Comparison* c) {
+      const double hz = c->modes.frequency_hz(k);
+      return hz >= low && hz <= high;
+    });
+    if (is_paired(k) || near) shown.push_back(k);
   }
   // Those paired stay where there are too many.
   std::ranges::stable_partition(shown, is_paired);
@@ -54,17 +61,17 @@ Figure mac_figure(const ReportData& data,
                   const Comparison& comparison,
                   const char* name,
                   const char* title) {
-  const std::vector<Eigen::Index> shown = shown_modes(data, comparison);
+  const std::vector<Eigen::Index> shown = shown_modes(data);
   SvgHeatMap map;
   map.name = title;
   map.values = comparison.mac(Eigen::all, shown);
   map.row_title = "measured Hz";
   map.column_title = "model Hz";
   for (const modal::Mode& mode : data.modes.modes) {
-    map.rows.push_back(number(mode.frequency_hz));
+    map.rows.push_back(four_digits(mode.frequency_hz));
   }
   for (const Eigen::Index k : shown) {
-    map.columns.push_back(number(comparison.modes.frequency_hz(k)));
+    map.columns.push_back(four_digits(comparison.modes.frequency_hz(k)));
   }
   return {name, title, svg_heat_map(map)};
 }
@@ -150,21 +157,26 @@ bool has_error_map(const ReportData& data, const Comparison& comparison) {
 
 Section error_section(const ReportData& data) {
   const ModelResults& model = *data.model;
-  const double largest = (model.before.frf_band_error.array().isFinite())
-                             .select(model.before.frf_band_error, 0.0)
-                             .maxCoeff();
-  // One scale for both: what is small after is pale.
-  const double full = std::clamp(largest, 1e-9, 1.0);
+  // On one scale what is small after would be blank.
+  const auto full_of = [](const Comparison& c) {
+    const double largest = (c.frf_band_error.array().isFinite())
+                               .select(c.frf_band_error, 0.0)
+                               .maxCoeff();
+    return std::clamp(largest, 1e-9, 1.0);
+  };
   FigureRow row;
   const bool both = anything_changed(model);
   row.figures.push_back(error_figure(data,
                                      model.before,
-                                     full,
+                                     full_of(model.before),
                                      "error-before",
                                      both ? "before" : "of the model"));
   if (both && has_error_map(data, model.after)) {
-    row.figures.push_back(error_figure(
-        data, model.after, full, "error-after", "after, on the same scale"));
+    row.figures.push_back(error_figure(data,
+                                       model.after,
+                                       full_of(model.after),
+                                       "error-after",
+                                       "after, on a scale of its own"));
   }
   return {"Where the error is", {row}};
 }

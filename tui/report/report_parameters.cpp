@@ -134,6 +134,13 @@ bool is_effect(const updating::Rung& rung) {
 
 }  // namespace
 
+std::string change_words(const acquisition::TestBundle& bundle,
+                         const structure::Deck& deck,
+                         const Estimate& estimate) {
+  const std::string change = property_row(bundle, deck, estimate).change;
+  return change == "–" ? std::string() : change;
+}
+
 std::vector<IdentifiedRow> identified_rows(
     const acquisition::TestBundle& bundle, const ModelResults& model) {
   std::size_t of_effects = 0;

@@ -19,6 +19,12 @@ struct IdentifiedRow {
   std::string change;    ///< against that, in per cent
 };
 
+/// "−1.88 %", of an uncertain property against the deck; empty of what is none
+/// or is not determined.
+[[nodiscard]] std::string change_words(const acquisition::TestBundle& bundle,
+                                       const structure::Deck& deck,
+                                       const updating::Estimate& estimate);
+
 [[nodiscard]] std::vector<IdentifiedRow> identified_rows(
     const acquisition::TestBundle& bundle, const ModelResults& model);
 

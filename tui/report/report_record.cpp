@@ -43,6 +43,14 @@ std::string digest_of_file(const fs::path& file) {
   return bytes.reading([&bytes] { return acquisition::sha256(bytes.text()); });
 }
 
+std::string library_words(const ReportData& data) {
+  std::vector<std::string> names;
+  for (const auto& [name, version] : data.versions) {
+    if (name != "tapfit") names.push_back(name + " " + version);
+  }
+  return names.empty() ? "" : " with " + enumerated(names);
+}
+
 Section file_section(const ReportData& data) {
   DataTable table{"", {"<file", "bytes", "<SHA-256"}, {}};
   for (const fs::path& file : files_read(data)) {
@@ -51,12 +59,14 @@ Section file_section(const ReportData& data) {
                           fmt::format("{}", fs::file_size(file, ignored)),
                           digest_of_file(file)});
   }
-  return {"Files",
-          {table,
-           Paragraph{fmt::format("Worked out by tapfit {}. SHA-256 digests are "
-                                 "those of sha256sum and its kin.",
-                                 TAPFIT_VERSION),
-                     Paragraph::Kind::Small}}};
+  return {
+      "Files",
+      {table,
+       Paragraph{fmt::format("Worked out by tapfit {}{}. SHA-256 digests are "
+                             "those of sha256sum and its kin.",
+                             TAPFIT_VERSION,
+                             library_words(data)),
+                 Paragraph::Kind::Small}}};
 }
 
 Section settings_section(const ReportData& data) {
@@ -88,7 +98,8 @@ Section settings_section(const ReportData& data) {
   if (data.model) {
     if (!data.model->after.contour.empty()) {
       list.items.push_back(
-          "Errors of FRFs: " + contour_words(data.model->after.contour) + ".");
+          (data.bundle.modes ? "Errors of modes: " : "Errors of FRFs: ") +
+          contour_words(data.model->after.contour) + ".");
     }
     for (const acquisition::UncertainProperty& one : data.bundle.uncertain) {
       list.items.push_back(

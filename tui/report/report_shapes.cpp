@@ -97,17 +97,36 @@ std::string found_at_places(const ReportData& data) {
   return enumerated(names);
 }
 
+/// Grids that the deck holds against moving. Of a flat model all are held out
+/// of plane: that is no support.
+std::set<int> clamped_nodes(const ReportData& data) {
+  std::set<int> nodes;
+  if (!data.model) return nodes;
+  const structure::Deck& deck = data.model->deck;
+  for (const structure::Constraint& held : deck.constraints) {
+    if (held.components.find_first_of("123") != std::string::npos) {
+      nodes.insert(held.grid);
+    }
+  }
+  const bool some = 2 * nodes.size() < deck.grids.size();
+  return some ? nodes : std::set<int>();
+}
+
 Figure sketch(const ReportData& data, const Wireframe& wire) {
   SvgStructure picture;
   picture.name = "structure with hit points and sensors";
   const std::set<int> found = found_nodes(data);
   const auto sensors = sensor_nodes(data);
+  const std::set<int> clamped = clamped_nodes(data);
+  for (const int node : clamped) {
+    picture.marks.push_back({node, "", ink::grey, 5.0});
+  }
   for (const int node : found) {
     const bool named = found.size() == 1 && !sensors.contains(node);
-    picture.marks.push_back({node,
-                             named ? "found" : "",
-                             ink::green,
-                             found.size() < 10 ? 9.0 : 4.5});
+    // Larger than the sensor that would hide it.
+    const bool large = found.size() < 10 || sensors.contains(node);
+    picture.marks.push_back(
+        {node, named ? "found" : "", ink::green, large ? 9.0 : 4.5});
   }
   constexpr std::size_t few = 12;
   for (const auto& [node, names] : sensors) {
@@ -128,9 +147,11 @@ Figure sketch(const ReportData& data, const Wireframe& wire) {
                              ink::orange,
                              3.2});
   }
-  std::string caption = hits.empty()
-                            ? "Blue: measured points."
-                            : "Small orange dots: hit points. Blue: sensors.";
+  std::string caption = !hits.empty()
+                            ? "Small orange dots: hit points. Blue: sensors."
+                        : !sensors.empty() ? "Blue: measured points."
+                                           : "No points are known.";
+  if (!clamped.empty()) caption += " Grey: held by the deck.";
   if (!found.empty()) {
     caption += fmt::format(" Green: {}.", found_at_places(data));
   }
@@ -159,8 +180,9 @@ double add_model_shape(const updating::Comparison& now,
   }
   const Eigen::VectorXd u = now.modes.at_grids.col(pair->model);
   shape.grids = Eigen::Map<const Eigen::Matrix3Xd>(u.data(), 3, u.size() / 3);
-  caption += fmt::format(
-      ", model {} Hz, MAC {}", number(pair->model_hz), fixed(pair->mac, 3));
+  caption += fmt::format(", model {} Hz, MAC {}",
+                         four_digits(pair->model_hz),
+                         fixed(pair->mac, 3));
   return modal::factor_onto(now.modes.at_dofs.col(pair->model), phi);
 }
 
@@ -172,7 +194,7 @@ Figure structure_figure(const ReportData& data,
   SvgShape shape;
   shape.name = fmt::format("shape of mode {}", k + 1);
   std::string caption =
-      fmt::format("Mode {}: {} Hz", k + 1, number(mode.frequency_hz));
+      fmt::format("Mode {}: {} Hz", k + 1, four_digits(mode.frequency_hz));
   const double factor =
       data.model ? add_model_shape(data.model->after, k, phi, shape, caption)
                  : 1.0;
@@ -196,7 +218,7 @@ Figure list_figure(const ReportData& data, std::size_t k) {
   plot.curves = {{"", at, phi / most, {}, {}, thin},
                  {"", at, phi / most, {}, {}, {Colour::Blue}, false}};
   return {fmt::format("mode-{}", k + 1),
-          fmt::format("Mode {}: {} Hz", k + 1, number(mode.frequency_hz)),
+          fmt::format("Mode {}: {} Hz", k + 1, four_digits(mode.frequency_hz)),
           svg_plot(plot, {420.0, 220.0})};
 }
 

@@ -15,11 +15,55 @@ namespace {
 
 using updating::Rung;
 
-/// As the diagnosis names it: of look-alikes all.
+/// As the diagnosis names it, with what is indistinguishable from it.
 std::string rung_words(const ModelResults& model, const Rung& rung) {
   const Rung* found = diagnosed_rung(model, rung);
-  return with_article(
-      found_words(found ? found->added : rung.added, rung.where));
+  const std::string own =
+      with_article(found_words(found ? found->added : rung.added, rung.where));
+  const bool named = found && found->added.find('|') != std::string::npos;
+  if (!found || named || found->alike.empty()) return own;
+  if (found->alike.size() > 1) {
+    return fmt::format("{} or one of {} look-alikes", own, found->alike.size());
+  }
+  const updating::EffectRef& other = found->alike.front();
+  return fmt::format(
+      "{} or {}", own, with_article(found_words(other.effect, other.where)));
+}
+
+/// "falls from 14.5 % (15.3 % as delivered) to 0.75 %": what is uncertain in
+/// the model is no effect's merit.
+std::string fall_words(const ModelResults& model) {
+  const double to = model.after.error;
+  double from = model.before.error;
+  for (const Rung& rung : model.ladder) {
+    if (rung.added == updating::uncertain_rung) from = rung.error;
+  }
+  const bool fitted = from < model.before.error;
+  const std::string was =
+      fitted ? fmt::format(" ({} as delivered)", percent(model.before.error))
+             : "";
+  if (percent(from) == percent(to)) {
+    return fmt::format("stays at {}{}", percent(to), was);
+  }
+  return fmt::format("{} from {}{} to {}",
+                     to < from ? "falls" : "rises",
+                     percent(from),
+                     was,
+                     percent(to));
+}
+
+/// What the diagnosis found and this model does not have.
+std::vector<std::string> left_out_of(const ModelResults& model) {
+  const std::vector<Rung> own = effect_rungs(model.ladder);
+  std::vector<std::string> names;
+  for (const Rung& found : model.diagnosis->ladder) {
+    const bool there = std::ranges::any_of(own, [&](const Rung& rung) {
+      return leading_kind(found) == rung.added && found.where == rung.where;
+    });
+    if (!there)
+      names.push_back(with_article(found_words(found.added, found.where)));
+  }
+  return names;
 }
 
 /// How the error stands to the floor, as the end of a sentence.
@@ -78,8 +122,7 @@ std::string without_effects(const ReportData& data) {
         was,
         beside_floor(now));
   }
-  if (now.error <= updating::at_floor * now.floor &&
-      updating::hides_errors(now)) {
+  if (updating::hides_errors(now.floor)) {
     return fmt::format(
         "Whether anything is missing from the model cannot be told: its {} are "
         "off by {}{}, and repeatability, mesh and form allow {}.",
@@ -116,12 +159,10 @@ std::string with_effects(const ReportData& data,
     diagnosed = diagnosed && diagnosed_rung(model, rung) != nullptr;
   }
   const std::string what = enumerated(names);
-  const std::string errors =
-      fmt::format("the error of the {} falls from {} to {}, {}",
-                  data_words(data),
-                  percent(model.before.error),
-                  percent(model.after.error),
-                  beside_floor(model.after));
+  const std::string errors = fmt::format("the error of the {} {}, {}",
+                                         data_words(data),
+                                         fall_words(model),
+                                         beside_floor(model.after));
   if (!diagnosed) {
     return fmt::format("With what was added by hand ({}), {}.", what, errors);
   }
@@ -134,12 +175,20 @@ std::string with_effects(const ReportData& data,
   }
   const bool nonlinear = model.diagnosis->verdict.find(
                              updating::nonlinearity) != std::string::npos;
+  const std::vector<std::string> left_out = left_out_of(model);
   return fmt::format(
-      "{} explain{} where model and measurement differ: with {}, {}{}.",
+      "{} explain{} {}where model and measurement differ: with {}, {}{}{}.",
       capitalised(what),
       rungs.size() == 1 ? "s" : "",
+      left_out.empty() ? "" : "part of ",
       rungs.size() == 1 ? "it" : "them",
       errors,
+      left_out.empty()
+          ? ""
+          : fmt::format("; the diagnosis found {}, too, which {} not in this "
+                        "model",
+                        enumerated(left_out),
+                        left_out.size() == 1 ? "is" : "are"),
       nonlinear ? "; the structure behaves nonlinearly, too" : "");
 }
 
@@ -165,6 +214,15 @@ const Rung* diagnosed_rung(const ModelResults& model, const Rung& rung) {
   return nullptr;
 }
 
+bool is_diagnosed(const ModelResults& model) {
+  if (!model.diagnosis) return false;
+  const std::vector<Rung> own = effect_rungs(model.ladder);
+  return own.size() == model.diagnosis->ladder.size() &&
+         std::ranges::all_of(own, [&model](const Rung& rung) {
+           return diagnosed_rung(model, rung) != nullptr;
+         });
+}
+
 std::string verdict_sentence(const ReportData& data) {
   if (data.model) {
     const std::vector<Rung> rungs = effect_rungs(data.model->ladder);
@@ -177,8 +235,8 @@ std::string verdict_sentence(const ReportData& data) {
       modes.size(),
       modes.size() == 1 ? " was" : "s were",
       data.bundle.modes ? "given" : "identified",
-      number(modes.front().frequency_hz),
-      number(modes.back().frequency_hz));
+      four_digits(modes.front().frequency_hz),
+      four_digits(modes.back().frequency_hz));
 }
 
 }  // namespace tapfit::tui

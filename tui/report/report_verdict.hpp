@@ -18,4 +18,8 @@ namespace tapfit::tui {
 [[nodiscard]] const updating::Rung* diagnosed_rung(const ModelResults& model,
                                                    const updating::Rung& rung);
 
+/// Whether the model has just what the diagnosis found: then what that says of
+/// all of it together holds.
+[[nodiscard]] bool is_diagnosed(const ModelResults& model);
+
 }  // namespace tapfit::tui

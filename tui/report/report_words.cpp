@@ -103,6 +103,7 @@ std::string typeset(std::string text) {
   text = replaced(std::move(text), "+-", "±");
   text = replaced(std::move(text), " ... ", " … ");
   text = replaced(std::move(text), "m/s^2", "m/s²");
+  text = replaced(std::move(text), "kg/m^3", "kg/m³");
   return replaced(std::move(text), "N m/rad", "N·m/rad");
 }
 
@@ -254,9 +255,21 @@ std::string drop_words(double without, double with) {
       "error {} without it, {} with it", percent(without), percent(with));
 }
 
+std::string four_digits(double value) {
+  if (!std::isfinite(value)) return "–";
+  const int before = static_cast<int>(std::floor(
+                         std::log10(std::max(std::abs(value), 1e-300)))) +
+                     1;
+  return fixed(value, std::clamp(4 - before, 0, 4));
+}
+
+std::string signed_words(double value) {
+  const std::string text = typeset(fixed(value, 2));
+  return (value > 0.0 && text != "0.00" ? "+" : "") + text;
+}
+
 std::string signed_percent_words(double percent) {
-  const std::string text = typeset(fixed(percent, 2));
-  return (percent > 0.0 && text != "0.00" ? "+" : "") + text + " %";
+  return signed_words(percent) + " %";
 }
 
 std::string enumerated(const std::vector<std::string>& items) {

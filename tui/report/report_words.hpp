@@ -59,6 +59,12 @@ struct Quantity {
 /// "error 12.3 % without it, 0.36 % with it".
 [[nodiscard]] std::string drop_words(double without, double with);
 
+/// "8.000", "36.70", "317.0": the same digits of all that stand together.
+[[nodiscard]] std::string four_digits(double value);
+
+/// "+1.91", "0.00", "−0.01".
+[[nodiscard]] std::string signed_words(double value);
+
 /// "+1.91 %", "0.00 %".
 [[nodiscard]] std::string signed_percent_words(double percent);
 

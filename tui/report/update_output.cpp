@@ -99,7 +99,8 @@ std::string convergence_text(const std::vector<UpdateRecord>& records) {
 
 std::string confounded_text(const UpdateRecord& record) {
   std::string text;
-  for (const auto& group : record.confounded) {
+  for (std::vector<std::string> group : record.confounded) {
+    for (std::string& name : group) name = parameter_words(name);
     text += group.size() == 1
                 ? fmt::format("  note: the data say nothing of {}\n", group[0])
                 : fmt::format("  note: the data alone do not tell apart {}\n",
@@ -120,7 +121,7 @@ std::string correlation_text(const UpdateRecord& record) {
   TextTable table(heading);
   for (std::size_t k = 0; k < count; ++k) {
     std::vector<std::string> row = {
-        fmt::format("{} {}", k + 1, record.parameters[k])};
+        fmt::format("{} {}", k + 1, parameter_words(record.parameters[k]))};
     for (std::size_t j = 0; j <= k; ++j) {
       row.push_back(
           fmt::format("{:.2f}",

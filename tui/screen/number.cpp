@@ -207,13 +207,18 @@ bool is_open(const updating::Estimate& e) {
 std::string size_words(const updating::Estimate& e) {
   const std::string own = e.unit.empty() ? split_unit(e.name).unit : e.unit;
   const std::string unit = own.empty() ? "" : " " + own;
+  if (e.at_bound && !(e.lo95 < e.hi95)) {
+    return fmt::format("{}{}, at its bound", number(e.value, 3), unit);
+  }
   if (!is_open(e)) return with_sd(e.value, e.sd) + unit;
-  if (e.lo95 < 0.0 && e.hi95 > 0.0) {
+  // The fit would go on past the nearer end.
+  const bool least = e.hi95 - e.value < e.value - e.lo95;
+  // Of a factor up to 1 that says nothing, below zero the contrary.
+  const bool nothing = !least && e.name.ends_with("factor") && e.hi95 >= 0.995;
+  if (e.lo95 < 0.0 || nothing) {
     return fmt::format(
         "{} to {}{}", number(e.lo95, 2), number(e.hi95, 2), unit);
   }
-  // The fit would go on past the nearer end.
-  const bool least = e.hi95 - e.value < e.value - e.lo95;
   return least ? fmt::format("at least {}{}", number(e.lo95, 2), unit)
                : fmt::format("at most {}{}", number(e.hi95, 2), unit);
 }

@@ -1,7 +1,9 @@
 #include "tui/views/compared_modes.hpp"
 
+#include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/views/frf_curves.hpp"
+#include "tui/widgets/mac_map.hpp"
 
 #include <fmt/format.h>
 
@@ -55,7 +57,9 @@ std::vector<ComparedMode> compared_modes(const CompareInput& input) {
   if (input.frfs.frfs.empty() && !measured.empty()) {
     span = {0.0, *std::ranges::max_element(measured)};
   }
-  for (Eigen::Index k = 0; k < c.modes.frequency_hz.size(); ++k) {
+  // Rigid-body modes that were not measured are no difference.
+  const Eigen::Index rigid = rigid_modes(c.modes.frequency_hz);
+  for (Eigen::Index k = rigid; k < c.modes.frequency_hz.size(); ++k) {
     const double hz = c.modes.frequency_hz[k];
     const bool alone = std::ranges::none_of(
         c.pairs, [k](const ModePair& p) { return p.model == k; });
@@ -79,9 +83,7 @@ Table compared_table(const std::vector<ComparedMode>& modes) {
     if (!(mode.mac >= 0.9)) style.colour = Colour::Orange;
     table.rows.push_back({{fixed(mode.measured_hz, 3),
                            fixed(mode.model_hz, 3),
-                           fmt::format("{}{}",
-                                       mode.error_percent > 0 ? "+" : "",
-                                       fixed(mode.error_percent, 2)),
+                           signed_words(mode.error_percent),
                            fixed(mode.mac, 3)},
                           style});
   }

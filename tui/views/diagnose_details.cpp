@@ -7,8 +7,12 @@
 #include "tui/screen/text.hpp"
 #include "tui/views/candidate_table.hpp"
 #include "tui/widgets/bars.hpp"
+#include "tui/workbench/diagnosed_effects.hpp"
+#include "updating/comparison/compare.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
 
 namespace tapfit::tui {
 
@@ -17,13 +21,29 @@ using updating::Candidate;
 std::string verdict_words(const updating::Diagnosis& d) {
   if (d.verdict.empty()) return "no verdict yet";
   if (d.verdict != "none") return "verdict: " + d.verdict;
-  return fmt::format("nothing significant is missing (error {})",
-                     against_floor(d.error_base, d.floor));
+  if (updating::hides_errors(d.floor)) {
+    return fmt::format("a floor of {} hides what is missing", percent(d.floor));
+  }
+  return fmt::format("{} (error {})",
+                     d.error_best <= near_floor * d.floor
+                         ? "nothing significant is missing"
+                         : "no effect is supported by the data",
+                     against_floor(d.error_best, d.floor));
 }
 
-std::string indistinguishable(const Candidate& c) {
-  if (c.indistinguishable_from.empty()) return "uniquely identified";
-  std::string text = "indistinguishable with these points from:";
+std::string indistinguishable(const updating::Diagnosis& d,
+                              const Candidate& c,
+                              bool of_modes) {
+  if (c.indistinguishable_from.empty()) {
+    // Of what was rejected nothing is identified.
+    const bool found = std::ranges::any_of(
+        verdict_of(d), [&c](const updating::EffectRef& ref) {
+          return ref.effect == c.effect && ref.where == c.where;
+        });
+    return found ? "uniquely identified" : "";
+  }
+  std::string text = fmt::format("indistinguishable with these {} from:",
+                                 of_modes ? "modes" : "points");
   for (const updating::EffectRef& other : c.indistinguishable_from) {
     text += fmt::format(" {} {};", other.effect, place(other.where));
   }
@@ -44,8 +64,9 @@ std::string all_sizes(const Candidate& c) {
   for (const updating::Estimate& p : told(c.parameters)) {
     const std::string size = (text.empty() ? "" : "; ") + describe(p);
     text +=
-        is_open(p)
-            ? fmt::format("{} (95 %)", size)
+        is_open(p) ? fmt::format("{} (95 %)", size)
+        : !(p.lo95 < p.hi95)
+            ? size
             : fmt::format(
                   "{} (95 %: {} to {})", size, number(p.lo95), number(p.hi95));
   }
@@ -54,7 +75,8 @@ std::string all_sizes(const Candidate& c) {
 
 std::vector<std::string> details_of(const updating::Diagnosis& d,
                                     const Candidate& c,
-                                    int width) {
+                                    int width,
+                                    bool of_modes) {
   std::vector<std::string> paragraphs{verdict_words(d),
                                       contour_words(d.contour)};
   for (const std::string& warning : d.warnings) {
@@ -63,14 +85,16 @@ std::vector<std::string> details_of(const updating::Diagnosis& d,
   std::string found = fmt::format(
       "{} at {}: error {}", c.effect, place(c.where), percent(c.error));
   if (!d.verdict.empty()) {
-    found += fmt::format(", hold-out error {}, probability {}",
-                         left_out(c),
-                         probability(c.probability));
+    if (c.held_out_error > 0.0) {
+      found += fmt::format(", hold-out error {}", left_out(c));
+    }
+    found += fmt::format(", probability {}", probability(c.probability));
   }
   paragraphs.push_back(found);
   paragraphs.push_back(all_sizes(c));
   if (!d.verdict.empty()) {
-    paragraphs.push_back(next_step(d, c) + indistinguishable(c));
+    std::string alike = next_step(d, c) + indistinguishable(d, c, of_modes);
+    if (!alike.empty()) paragraphs.push_back(std::move(alike));
   }
   std::vector<std::string> lines;
   for (const std::string& paragraph : paragraphs) {

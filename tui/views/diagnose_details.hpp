@@ -12,10 +12,13 @@ namespace tapfit::tui {
 /// "verdict: joint"; of a verdict that nothing is missing, that in words.
 [[nodiscard]] std::string verdict_words(const updating::Diagnosis& diagnosis);
 
-/// "indistinguishable with these points from: joint line 34:35", or that it is
-/// uniquely identified.
+/// "indistinguishable with these points from: joint line 34:35", or of what is
+/// in the verdict that it is uniquely identified; else empty.
+/// @param of_modes whether the test consists of modes
 [[nodiscard]] std::string indistinguishable(
-    const updating::Candidate& candidate);
+    const updating::Diagnosis& diagnosis,
+    const updating::Candidate& candidate,
+    bool of_modes);
 
 /// What to measure to know, where the candidate is in the verdict; else empty.
 [[nodiscard]] std::string next_step(const updating::Diagnosis& diagnosis,
@@ -29,7 +32,8 @@ namespace tapfit::tui {
 [[nodiscard]] std::vector<std::string> details_of(
     const updating::Diagnosis& diagnosis,
     const updating::Candidate& candidate,
-    int width);
+    int width,
+    bool of_modes = false);
 
 /// How firm the verdict is: a sentence, and a line for each thing that was
 /// changed; while that is not known, that it is worked out.

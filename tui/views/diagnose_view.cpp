@@ -31,8 +31,9 @@ int write(Screen& screen,
 /// How large the chosen one is, and what else it could be.
 int write_chosen(Screen& screen,
                  int y,
-                 const updating::Diagnosis& d,
+                 const DiagnoseInput& input,
                  const Candidate& chosen) {
+  const updating::Diagnosis& d = input.diagnosis;
   const int width = screen.width() - 2;
   y = write(screen, y, wrapped(all_sizes(chosen), width, 2), Colour::Default);
   if (d.verdict.empty()) return y;
@@ -42,7 +43,8 @@ int write_chosen(Screen& screen,
       tried ? fmt::format("hold-out error {}; ", left_out(chosen)) : "";
   // A long list of look-alikes may be cut off, what to do about it not.
   const std::string words =
-      next_step(d, chosen) + error + indistinguishable(chosen);
+      next_step(d, chosen) + error +
+      indistinguishable(d, chosen, input.bundle.modes.has_value());
   const bool unsure = !chosen.indistinguishable_from.empty();
   return write(screen,
                y,
@@ -82,7 +84,7 @@ std::string note_line(const updating::Diagnosis& d,
     return "outdated, diagnosing again … (where it was stopped: r)";
   }
   if (standing == Standing::Preliminary) {
-    return "preliminary: of each kind what was fitted first; a adds one";
+    return "preliminary: what was fitted first; a adds one";
   }
   const bool warned = !d.warnings.empty();
   std::string note = warned ? "! " + d.warnings[0] : contour_words(d.contour);
@@ -190,7 +192,10 @@ Screen diagnose_view(const DiagnoseInput& input,
     return screen;
   }
   if (state.details) {
-    draw_lines(screen, details_of(d, chosen, room), top + 1, *state.details);
+    draw_lines(screen,
+               details_of(d, chosen, room, input.bundle.modes.has_value()),
+               top + 1,
+               *state.details);
     return screen;
   }
   const Rect body{0, top, canvas.width, canvas.height - top};
@@ -199,7 +204,7 @@ Screen diagnose_view(const DiagnoseInput& input,
                               std::max(body.height / 3, 4));
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
-  const int below = write_chosen(screen, rest.y, d, chosen);
+  const int below = write_chosen(screen, rest.y, input, chosen);
   if (outdated) return screen;
   const Rect lower{0, below, canvas.width, canvas.height - below};
   const std::vector<int> grids =

@@ -92,7 +92,7 @@ std::string verdict(const DrivingPoint& point) {
 }
 
 Table check_table(const FrfSet& frfs, const FrfChecks& checks) {
-  Table table{{{"FRF"}, {"checked against"}, {"outcome"}, {"finding"}}, {}};
+  Table table{{{"FRF"}, {"checked against"}, {"result"}, {"finding"}}, {}};
   for (const DrivingPoint& p : checks.driving) {
     const bool fair = verdict(p) == "OK";
     table.rows.push_back(

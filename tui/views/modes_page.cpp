@@ -97,6 +97,8 @@ bool ModesPage::press(const Snapshot& known, Key key, Command& command) {
   } else if (state_.mac &&
              step_column(state_.mac_column, columns_hz(known), key)) {
     return true;
+  } else if (key == U'p' && given_) {
+    command.message = "the modes were given: there is no pole to pick";
   } else if (key == U'p') {
     pick_at_cursor(known, state_.range, command);
   } else if (key == U'x') {
@@ -136,6 +138,19 @@ std::vector<KeyHelp> ModesPage::keys() const {
             {"h l", "model's mode"},
             {"m", "shape"},
             {"x", "drop mode"},
+            {"s", "sort"},
+            {"/", "filter"}};
+  }
+  if (given_) {
+    return {{"j k", "mode"},
+            {"m", "MAC"},
+            {"x", "drop mode"},
+            {"Space", "animate"},
+            {"R", "rotate"},
+            {"o", "model's shape"},
+            {"< >", "turn"},
+            {"( )", "tilt"},
+            {"{ }", "size"},
             {"s", "sort"},
             {"/", "filter"}};
   }

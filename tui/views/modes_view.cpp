@@ -3,6 +3,7 @@
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/point_motions.hpp"
+#include "tui/report/modes_text.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -20,6 +21,8 @@
 
 namespace tapfit::tui {
 namespace {
+
+constexpr const char* no_shapes = "no shapes were given: frequencies alone";
 
 Colour letter_colour(char letter) {
   if (letter == 's') return Colour::Green;
@@ -170,6 +173,10 @@ void draw_shape(Screen& screen,
       fmt::format("mode {}: {} Hz", selected + 1, number(mode.frequency_hz, 5)),
       {.colour = Colour::Orange, .bold = true},
       rect.width);
+  if (mode.shape.size() == 0) {
+    screen.text(rect.x, y + 1, no_shapes, {.colour = Colour::Grey}, rect.width);
+    return;
+  }
   const std::optional<std::size_t> model =
       state.model ? model_mode_of(input, state, selected) : std::nullopt;
   if (model) {
@@ -208,6 +215,11 @@ void draw_mac(Screen& screen,
               const ModesInput& input,
               const ModesState& state,
               std::size_t selected) {
+  if (input.modes.dofs.empty()) {
+    screen.text(
+        rect.x, rect.y, no_shapes, {.colour = Colour::Grey}, rect.width);
+    return;
+  }
   HeatMap map;
   const auto count = static_cast<Eigen::Index>(input.modes.modes.size());
   const updating::Comparison* c = input.comparison;
@@ -301,12 +313,11 @@ Table mode_table(const modal::ModeSet& modes) {
   table.sortable = true;
   for (std::size_t i = 0; i < modes.modes.size(); ++i) {
     const modal::Mode& mode = modes.modes[i];
-    table.rows.push_back(
-        {{std::to_string(i + 1),
-          with_sd(mode.frequency_hz, mode.frequency_sd_hz, 1),
-          with_sd(100.0 * mode.damping_ratio, 100.0 * mode.damping_sd, 1),
-          fixed(mode.mpc, 3)},
-         {}});
+    table.rows.push_back({{std::to_string(i + 1),
+                           with_sd(mode.frequency_hz, mode.frequency_sd_hz, 1),
+                           damping_words(mode, 1),
+                           mpc_words(mode)},
+                          {}});
   }
   return table;
 }
@@ -351,11 +362,15 @@ Screen modes_view(const ModesInput& input,
     draw_mac(screen, rest, input, state, selected);
     return screen;
   }
-  const auto [upper, lower] = split_top(body, (body.height - 1) / 2);
+  // Of modes that were given there are neither poles nor FRFs.
+  const bool diagram = !input.modes.diagram.empty() ||
+                       (input.frfs != nullptr && input.frfs->lines() > 1);
+  const auto [upper, lower] =
+      split_top(body, diagram ? (body.height - 1) / 2 : body.height);
   const auto [side, shape] = split_left(upper, left);
   draw_table(screen, side, table, state.list, true);
   draw_shape(screen, shape, input, state, selected);
-  draw_diagram(screen, lower, input, state, selected);
+  if (diagram) draw_diagram(screen, lower, input, state, selected);
   return screen;
 }
 

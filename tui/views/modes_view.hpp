@@ -66,11 +66,15 @@ class ModesPage final : public Page {
   /// Shows a measured mode over a mode of the model.
   void select(std::size_t measured, std::size_t model);
   bool animate(const Snapshot& known) override;
+  void follow(const Snapshot&, const Snapshot& now) override {
+    given_ = now.bundle && now.bundle->modes;
+  }
   std::vector<KeyHelp> keys() const override;
   std::string help() const override;
 
  private:
   ModesState state_;
+  bool given_ = false;  ///< the test consists of modes: there are no poles
 };
 
 }  // namespace tapfit::tui

@@ -2,6 +2,7 @@
 
 #include "tui/report/effect_output.hpp"
 #include "tui/report/mode_remarks.hpp"
+#include "tui/report/report_parameters.hpp"
 #include "tui/report/report_words.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -46,6 +47,9 @@ struct Sheet {
   }
 };
 
+/// Whether anything was added to the base model or fitted in it.
+bool changed(const ReportInput& input) { return input.ladder.size() > 1; }
+
 std::string found_text(const updating::Diagnosis& d) {
   if (d.ladder.empty()) return d.verdict;
   std::string text = d.verdict == "unexplained" ? "unexplained; best " : "";
@@ -54,40 +58,6 @@ std::string found_text(const updating::Diagnosis& d) {
     text += effect_text(rung.added, rung.where);
   }
   return text;
-}
-
-/// Of the rung with so many effects. Beside theirs the ladder has those of the
-/// base and of what is uncertain, first.
-double error_with(const std::vector<updating::Rung>& ladder,
-                  std::size_t effects,
-                  const updating::Diagnosis& diagnosis) {
-  const auto own = std::count_if(
-      ladder.begin(), ladder.end(), [](const updating::Rung& rung) {
-        return rung.added != updating::base_rung &&
-               rung.added != updating::uncertain_rung;
-      });
-  const std::size_t others = ladder.size() - static_cast<std::size_t>(own);
-  if (effects == 0) {
-    return ladder.empty() ? diagnosis.error_base : ladder.front().error;
-  }
-  return others + effects <= ladder.size() ? ladder[others + effects - 1].error
-                                           : diagnosis.error_base;
-}
-
-/// With what the diagnosis found: of the ladder where that goes on with it,
-/// since a fit made anew need not end at the same last digit.
-double error_found(const std::vector<updating::Rung>& ladder,
-                   std::size_t effects,
-                   const updating::Diagnosis& d) {
-  std::vector<updating::EffectRef> added;
-  for (const updating::Rung& rung : ladder) {
-    added.push_back({rung.added, rung.where});
-  }
-  const std::vector<updating::EffectRef> found = verdict_of(d);
-  const auto at = std::ranges::search(added, found);
-  return found.empty() || at.empty()
-             ? d.error_best
-             : error_with(ladder, effects + found.size(), d);
 }
 
 void write_diagnoses(Sheet& sheet, const ReportInput& input) {
@@ -114,9 +84,13 @@ void write_diagnoses(Sheet& sheet, const ReportInput& input) {
 
 void write_verdict(Sheet& sheet, const ReportInput& input) {
   sheet.heading("Verdict");
-  sheet.line(fmt::format("model now: error {} → {}, floor {} ({})",
-                         percent(input.base.error),
-                         percent(input.current.error),
+  const std::string error =
+      changed(input) ? fmt::format("model now: error {} → {}",
+                                   percent(input.base.error),
+                                   percent(input.current.error))
+                     : "model as delivered: error " + percent(input.base.error);
+  sheet.line(fmt::format("{}, floor {} ({})",
+                         error,
                          percent(input.current.floor),
                          floor_words(input.current)),
              {.bold = true});
@@ -154,9 +128,14 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
     }
   }
   // Of the last model: rungs hold what was found when each was the last.
-  if (!input.parameters.empty()) sheet.heading("Identified");
+  if (input.parameters.empty() || !changed(input)) return;
+  sheet.heading("Identified");
   for (const updating::Estimate& p : told(input.parameters)) {
-    sheet.line(describe(p));
+    const bool known = input.bundle != nullptr && input.deck != nullptr;
+    const std::string change =
+        known ? change_words(*input.bundle, *input.deck, p) : "";
+    sheet.line(describe(p) +
+               (change.empty() ? "" : ", " + change + " to the deck"));
   }
 }
 
@@ -168,15 +147,20 @@ const ModePair* pair_of(const Comparison& c, int measured) {
 }
 
 void write_frequencies(Sheet& sheet, const ReportInput& input) {
-  sheet.heading("Frequencies and MAC, before and after");
-  Table table{{{"measured Hz", true},
-               {"before Hz", true},
-               {"error", true},
-               {"MAC", true},
-               {"after Hz", true},
-               {"error", true},
-               {"MAC", true}},
-              {}};
+  const bool both = changed(input);
+  sheet.heading(both ? "Frequencies and MAC, before and after"
+                     : "Frequencies and MAC");
+  Table table{{{"measured Hz", true}}, {}};
+  std::vector<const Comparison*> models{&input.base};
+  if (both) models.push_back(&input.current);
+  for (const Comparison* c : models) {
+    const char* which = !both            ? "model Hz"
+                        : c == models[0] ? "before Hz"
+                                         : "after Hz";
+    for (const char* column : {which, "error", "MAC"}) {
+      table.columns.push_back({column, true});
+    }
+  }
   std::map<int, double> measured;
   for (const ModePair& p : input.base.pairs)
     measured[p.measured] = p.measured_hz;
@@ -187,7 +171,7 @@ void write_frequencies(Sheet& sheet, const ReportInput& input) {
   double after = 0.0;
   for (const auto& [mode, hz] : measured) {
     std::vector<std::string> cells{fixed(hz, 3)};
-    for (const Comparison* c : {&input.base, &input.current}) {
+    for (const Comparison* c : models) {
       const ModePair* p = pair_of(*c, mode);
       cells.push_back(p != nullptr ? fixed(p->model_hz, 3) : "–");
       cells.push_back(p != nullptr ? signed_percent_words(p->error_percent)
@@ -207,10 +191,11 @@ void write_frequencies(Sheet& sheet, const ReportInput& input) {
       sheet.screen, {0, sheet.y, sheet.screen.width(), rows}, table, {}, false);
   sheet.y += rows;
   if (input.base.pairs.empty() || input.current.pairs.empty()) return;
-  sheet.line(fmt::format(
-      "mean frequency error {} % → {} %",
-      fixed(before / static_cast<double>(input.base.pairs.size()), 2),
-      fixed(after / static_cast<double>(input.current.pairs.size()), 2)));
+  const auto mean = [](double sum, const Comparison& c) {
+    return fixed(sum / static_cast<double>(c.pairs.size()), 2) + " %";
+  };
+  sheet.line("mean frequency error " + mean(before, input.base) +
+             (both ? " → " + mean(after, input.current) : ""));
   for (const std::string& remark : mode_remarks(input.current)) {
     sheet.paragraph(remark, {.colour = Colour::Grey});
   }
@@ -228,7 +213,21 @@ HeatMap numbered_mac(const Comparison& c, int column) {
 }
 
 void write_macs(Sheet& sheet, const ReportInput& input, int column) {
-  if (input.base.mac.size() == 0 || input.current.mac.size() == 0) return;
+  const auto known = [](const Comparison& c) {
+    return c.mac.size() > 0 &&
+           std::ranges::all_of(c.pairs, &ModePair::has_shape);
+  };
+  if (!known(input.base) || !known(input.current)) return;
+  if (!changed(input)) {
+    sheet.heading("MAC in %, measured (rows) with model" +
+                  rigid_words(input.base.modes.frequency_hz));
+    const int rows = static_cast<int>(input.base.mac.rows()) + 1;
+    draw_heat_map(sheet.screen,
+                  {1, sheet.y, sheet.screen.width() - 2, rows},
+                  numbered_mac(input.base, column));
+    sheet.y += rows;
+    return;
+  }
   sheet.heading(
       fitting({"MAC in %, measured (rows) with model (columns, Hz): before | "
                "after" +
@@ -272,7 +271,9 @@ ReportInput report_input(const Snapshot& known) {
           *known.ladder,
           *known.parameters,
           std::move(diagnoses),
-          all_warnings(known)};
+          all_warnings(known),
+          known.bundle.get(),
+          known.deck.get()};
 }
 
 }  // namespace

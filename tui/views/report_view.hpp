@@ -13,6 +13,8 @@ struct ReportInput {
   /// Of the base model and of the current one, by how many effects are in it.
   std::map<std::size_t, std::shared_ptr<const updating::Diagnosis>> diagnoses;
   std::vector<std::string> warnings;
+  const acquisition::TestBundle* bundle = nullptr;
+  const structure::Deck* deck = nullptr;  ///< to compare what was identified
 };
 
 struct ReportState {
@@ -37,6 +39,10 @@ class ReportPage final : public Page {
   bool wants_model() const override { return true; }
   std::vector<Need> essential() const override {
     return {{Stage::BaseComparison}, {Stage::Comparison}, {Stage::Ladder}};
+  }
+  /// The deck, to compare with.
+  std::vector<Need> welcome(const Snapshot&) const override {
+    return {{Stage::Model}};
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;

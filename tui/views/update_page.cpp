@@ -33,7 +33,8 @@ std::string look_alikes(const Snapshot& known, const UpdateState& state) {
     for (const updating::Candidate& candidate : diagnosis->candidates) {
       if (ref_of(candidate) != effect) continue;
       if (candidate.indistinguishable_from.empty()) return {};
-      return indistinguishable(candidate);
+      return indistinguishable(
+          *diagnosis, candidate, known.bundle->modes.has_value());
     }
   }
   return {};
@@ -42,13 +43,13 @@ std::string look_alikes(const Snapshot& known, const UpdateState& state) {
 }  // namespace
 
 std::vector<Need> UpdatePage::welcome(const Snapshot& known) const {
-  std::vector<Need> needs{{Stage::Comparison}, {Stage::BaseComparison}};
+  std::vector<Need> needs{
+      {Stage::Model}, {Stage::Comparison}, {Stage::BaseComparison}};
   using Panel = UpdateState::Panel;
   if (state_.panel == Panel::Curves) return needs;
   if (state_.panel != Panel::Evidence) {
     needs.push_back({Stage::Records});
   } else if (const auto marked = marked_evidence(known, state_)) {
-    needs.push_back({Stage::Model});
     needs.push_back({Stage::EffectEvidence, *marked});
   }
   return needs;

@@ -1,5 +1,6 @@
 #include "tui/views/update_view.hpp"
 
+#include "tui/report/report_parameters.hpp"
 #include "tui/screen/layout.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
@@ -83,12 +84,28 @@ Table parameter_table(const UpdateInput& input, int width) {
   constexpr int least = 12;  // for a name: values are not cut
   Table table{{{"parameter"}, {"value"}}, {}};
   int widest = 0;
+  int changes = 0;
   const std::vector<updating::Estimate> parameters = told(input.parameters);
+  const bool fitted = input.ladder.size() > 1;
   for (const updating::Estimate& p : parameters) {
-    table.rows.push_back({{"", size_words(p)}, {}});
+    const bool known =
+        fitted && input.bundle != nullptr && input.deck != nullptr;
+    const std::string change =
+        known ? change_words(*input.bundle, *input.deck, p) : "";
+    table.rows.push_back({{"", size_words(p), change}, {}});
     widest = std::max(widest, text_width(table.rows.back().cells[1]));
+    changes = std::max(changes, text_width(change));
   }
-  const int room = std::max(width - widest - 4, least);
+  int room = width - widest - 4;
+  constexpr std::string_view heading = "to the deck";
+  const int column = std::max(changes, text_width(heading)) + 2;
+  if (changes > 0 && room - column >= least) {
+    table.columns.push_back({std::string(heading), true});
+    room -= column;
+  } else {
+    for (Row& row : table.rows) row.cells.pop_back();
+  }
+  room = std::max(room, least);
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     table.rows[i].cells[0] = parameter_name(parameters[i].name, input, room);
   }
@@ -154,9 +171,15 @@ void draw_ladder(Screen& screen,
   const double floor = input.current != nullptr ? input.current->floor : 0.0;
   screen.text(rect.x, rect.y, "ladder", {.colour = Colour::Grey});
   // Room for the number and some of its bar.
-  const int names = std::min(rect.width - 14, 30);
   const std::vector<LadderRow> all = ladder_rows(input, state);
-  const int rows = std::min(static_cast<int>(all.size()), rect.height - 1);
+  int names = std::min(rect.width - 14, 30);
+  for (const LadderRow& row : all) {
+    names =
+        std::max(names, std::min(text_width(row.name) + 2, rect.width - 24));
+  }
+  const bool with_floor = floor > 0.0;
+  const int room = rect.height - (with_floor ? 2 : 1);
+  const int rows = std::min(static_cast<int>(all.size()), room);
   // The newest rungs, when not all fit.
   const std::size_t first =
       all.size() - static_cast<std::size_t>(std::max(rows, 0));
@@ -193,6 +216,16 @@ void draw_ladder(Screen& screen,
                    floor,
                    largest);
   }
+  if (!with_floor || rows < 0) return;
+  const int y = rect.y + 1 + rows;
+  screen.text(rect.x, y, "floor", {.colour = Colour::Grey}, names - 1);
+  screen.text_right(
+      rect.x + names + 7, y, percent(floor), {.colour = Colour::Grey});
+}
+
+/// Whether the ladder ends with the floor.
+bool has_floor(const UpdateInput& input) {
+  return input.current != nullptr && input.current->floor > 0.0;
 }
 
 std::string headline_of(const UpdateInput& input) {
@@ -324,7 +357,8 @@ Screen update_view(const UpdateInput& input,
   const Table parameters = parameter_table(input, half);
   const int wanted =
       std::max({static_cast<int>(parameters.rows.size()),
-                static_cast<int>(ladder_rows(input, state).size()),
+                static_cast<int>(ladder_rows(input, state).size()) +
+                    (has_floor(input) ? 1 : 0),
                 2}) +
       1;
   const auto [upper, lower] =

@@ -30,12 +30,12 @@ std::string bar(double share, int width, bool ascii) {
 
 std::string times_floor(double error, double floor) {
   const double times = error / floor;
-  return times < 9.95 ? fixed(times, 1) : number(times, times < 99.5 ? 2 : 3);
+  return times < 9.95 ? fixed(times, 1) : number(times, 2);
 }
 
 std::string against_floor(double error, double floor) {
   if (error <= floor) return "within the floor";
-  if (!(floor > 0.0)) return "not held against a floor";
+  if (!(floor > 0.0)) return "without a floor to compare with";
   return times_floor(error, floor) + " times the floor" +
          (error <= near_floor * floor ? ", as good as the data allow" : "");
 }

@@ -19,7 +19,7 @@ inline constexpr double near_floor = 1.3;
 [[nodiscard]] std::string times_floor(double error, double floor);
 
 /// "within the floor", "1.2 times the floor, as good as the data allow", "11
-/// times the floor"; "not held against a floor" where there is none.
+/// times the floor"; "without a floor to compare with" where there is none.
 [[nodiscard]] std::string against_floor(double error, double floor);
 
 /// The error as a bar along 0..scale with a mark at the floor; green near it.

@@ -116,14 +116,17 @@ std::size_t sorting_column(const Table& table, const ListState& state) {
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-/// "<0.001", "+9.12 %" and, tagged, "*1" are numbers, "–" is none.
+/// "<0.001", "+9.12 %", "−0.5" and, tagged, "*1" are numbers, "–" is none.
 std::optional<double> number_of(const std::string& text) {
   const std::size_t first = text.find_first_not_of("<* ");
   if (first == std::string::npos) return std::nullopt;
-  const char* begin = text.c_str() + first;
+  constexpr std::string_view minus = "−";
+  const bool below = text.compare(first, minus.size(), minus) == 0;
+  const char* begin = text.c_str() + first + (below ? minus.size() : 0);
   char* end = nullptr;
   const double value = std::strtod(begin, &end);
-  return end == begin ? std::nullopt : std::optional(value);
+  if (end == begin) return std::nullopt;
+  return below ? -value : value;
 }
 
 /// Digits as the number that they are: "60Z+" before "145Z+".

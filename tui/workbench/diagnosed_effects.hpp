@@ -3,6 +3,7 @@
 
 #include "updating/diagnosis/diagnosis.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace tapfit::tui {
@@ -19,5 +20,17 @@ namespace tapfit::tui {
 /// it, else itself alone.
 [[nodiscard]] std::vector<updating::EffectRef> found_with(
     const updating::Diagnosis& diagnosis, const updating::Candidate& candidate);
+
+/// The error of the rung with so many effects. Beside theirs the ladder has
+/// those of the base and of what is uncertain, first.
+[[nodiscard]] double error_with(const std::vector<updating::Rung>& ladder,
+                                std::size_t effects,
+                                const updating::Diagnosis& diagnosis);
+
+/// With what the diagnosis found: of the ladder where that goes on with it,
+/// since a fit made anew need not end at the same last digit.
+[[nodiscard]] double error_found(const std::vector<updating::Rung>& ladder,
+                                 std::size_t effects,
+                                 const updating::Diagnosis& diagnosis);
 
 }  // namespace tapfit::tui

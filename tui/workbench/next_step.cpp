@@ -67,23 +67,34 @@ std::string after_modes(const Snapshot& known) {
            "another "
            "band";
   }
+  const char* next = known.has_model ? "4 compares with the model"
+                                     : "w on 7 writes the report";
+  const bool given = known.bundle && known.bundle->modes;
+  if (given) {
+    return fmt::format("{} mode{} {} given: {}",
+                       count,
+                       count == 1 ? "" : "s",
+                       count == 1 ? "was" : "were",
+                       next);
+  }
   return fmt::format("{} mode{} leave{} {} of the FRFs unexplained: {}",
                      count,
                      count == 1 ? "" : "s",
                      count == 1 ? "s" : "",
                      percent(known.modes->synthesis_error),
-                     known.has_model ? "4 compares with the model"
-                                     : "w on 7 writes the report");
+                     next);
+}
+
+std::string hidden(double floor) {
+  return fmt::format("a floor of {} hides what is missing: ", percent(floor));
 }
 
 /// @param missing what to do while the error is above its floor
 std::string after_error(const Snapshot& known, const std::string& missing) {
   if (!known.comparison) return {};
   const updating::Comparison& c = *known.comparison;
-  if (updating::hides_errors(c)) {
-    return fmt::format(
-        "a floor of {} hides what is missing: 7 has the warnings",
-        percent(c.floor));
+  if (updating::hides_errors(c.floor)) {
+    return hidden(c.floor) + "7 has the warnings";
   }
   const bool near = !(c.floor > 0.0) || c.error <= near_floor * c.floor;
   return fmt::format("{} is {}: {}",
@@ -97,7 +108,12 @@ std::string after_diagnosis(const Snapshot& known) {
   const updating::Diagnosis& d = *known.diagnosis;
   const std::size_t found = d.ladder.size();
   if (found == 0 && d.verdict == "none") {
-    return "nothing significant is missing: 7 reports it";
+    if (updating::hides_errors(d.floor)) {
+      return hidden(d.floor) + "7 has the warnings";
+    }
+    return d.error_best <= near_floor * d.floor
+               ? "nothing significant is missing: 7 reports it"
+               : "no effect is supported by the data: 7 reports it";
   }
   if (found == 0) return "no effect of the list explains it: i says what may";
   const std::string what =
@@ -114,6 +130,9 @@ std::string for_report(const Snapshot& known) {
   if (!known.comparison) return {};
   const bool asked = known.diagnosis || !known.effects_on().empty();
   const updating::Comparison& c = *known.comparison;
+  if (updating::hides_errors(c.floor)) {
+    return hidden(c.floor) + "w writes the report";
+  }
   // Where nothing was ever added the report takes up the verdict.
   const bool taken_up = known.effects.empty() && known.diagnosis &&
                         !known.diagnosis->ladder.empty();

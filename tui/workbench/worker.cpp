@@ -42,7 +42,7 @@ std::string taken_up(const Snapshot& known) {
   }
   if (hits > 0) {
     parts.push_back(
-        fmt::format("{} hit{} judged by hand", hits, hits == 1 ? "" : "s"));
+        fmt::format("{} hit{} judged manually", hits, hits == 1 ? "" : "s"));
   }
   return fmt::format("as left last time: {}", fmt::join(parts, ", "));
 }
@@ -193,6 +193,10 @@ void make_result(Workbench& bench,
     case Stage::Diagnosis:
       known.preliminary.reset();
       known.diagnosis = shared(bench.diagnosis(progress));
+      // Whose floor is lower now where less can be left.
+      if (known.comparison) {
+        known.comparison = shared(bench.comparison(progress));
+      }
       return;
     case Stage::Robustness:
       known.diagnosis = shared(bench.robust_diagnosis(progress));

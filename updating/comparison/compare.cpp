@@ -214,13 +214,18 @@ Comparison compare(const Fit& fit,
   return c;
 }
 
-bool hides_errors(const Comparison& c) {
+void limit_form(Comparison& c, double form_error) {
+  c.floor_form = std::min(c.floor_form, form_error);
+  c.floor = std::hypot(c.floor_noise, c.floor_mesh, c.floor_form);
+}
+
+bool hides_errors(double floor) {
   constexpr double high = 0.3;
-  return c.floor > high;
+  return floor > high;
 }
 
 std::string floor_warning(const Comparison& c) {
-  if (!hides_errors(c)) return {};
+  if (!hides_errors(c.floor)) return {};
   return fmt::format(
       "the floor is {:.0f} %, so that only effects that change the FRFs more "
       "can be told: {}",

@@ -27,8 +27,13 @@ namespace tapfit::updating {
                                  const modal::ModeSet& modes,
                                  const std::vector<PairByHand>& by_hand = {});
 
-/// Whether the floor is so high that most of what may be missing is below it.
-[[nodiscard]] bool hides_errors(const Comparison& comparison);
+/// The deck's form is one, whatever effects are in the model: of an error it
+/// explains no more than where the most is explained.
+/// @param form_error what it explains of the best model's error
+void limit_form(Comparison& comparison, double form_error);
+
+/// Whether a floor is so high that most of what may be missing is below it.
+[[nodiscard]] bool hides_errors(double floor);
 
 /// What is wrong with a floor so high that next to nothing can be told; empty
 /// where it is not.

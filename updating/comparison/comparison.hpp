@@ -46,8 +46,10 @@ struct Comparison {
   double floor = 0.0;
   double floor_noise = 0.0;  ///< from the scatter over hits
   double floor_mesh = 0.0;   ///< half of what splitting the mesh changes
-  double floor_form = 0.0;   ///< of what is left after a fit, see form_share()
-  std::string contour;       ///< the lines s it was evaluated on, in words
+  /// Of what is left after a fit, see form_share(); of what is missing from a
+  /// model, too, where no diagnosis has shown how little can be left.
+  double floor_form = 0.0;
+  std::string contour;  ///< the lines s it was evaluated on, in words
   std::vector<ModePair> pairs;
   /// What of the pairs by hand could not be kept to; why there is no MAC.
   std::vector<std::string> pair_notes;

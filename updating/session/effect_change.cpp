@@ -4,8 +4,10 @@
 #include "updating/session/added_effect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 namespace tapfit::updating {
@@ -52,6 +54,28 @@ Effects with_added(Effects effects, const std::vector<EffectRef>& more) {
     effects.push_back({ref, true, &ref != more.data()});
   }
   return effects;
+}
+
+std::string counted_twice(const std::vector<EffectRef>& there,
+                          const std::vector<EffectRef>& added) {
+  std::set<std::string> shared;
+  std::string effect;
+  std::vector<EffectRef> before = there;
+  for (const EffectRef& ref : added) {
+    for (const EffectRef& other : before) {
+      if (other.effect != ref.effect) continue;
+      for (const std::string& channel : ref.where.channels) {
+        if (std::ranges::count(other.where.channels, channel) == 0) continue;
+        shared.insert(channel);
+        effect = ref.effect;
+      }
+    }
+    before.push_back(ref);
+  }
+  if (shared.empty()) return {};
+  return fmt::format("{} now counts twice at {}: the sizes add up there",
+                     effect,
+                     fmt::join(shared, ", "));
 }
 
 std::vector<EffectChange> changes_through(const Effects& from,

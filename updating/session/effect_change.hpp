@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tapfit::updating {
@@ -22,6 +23,14 @@ struct EffectChange {
 /// The effects with more of them, added in one step.
 [[nodiscard]] std::vector<AddedEffect> with_added(
     std::vector<AddedEffect> effects, const std::vector<EffectRef>& more);
+
+/// Where an effect comes to a channel that has it already: each is a parameter
+/// of its own, and their sizes add up there.
+/// @return "sensor-mass now counts twice at acc1: the sizes add up there";
+/// empty
+///   where none does
+[[nodiscard]] std::string counted_twice(const std::vector<EffectRef>& there,
+                                        const std::vector<EffectRef>& added);
 
 /// What leads from one state to the next; the list ends early where that is no
 /// single change.

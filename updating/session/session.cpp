@@ -95,6 +95,11 @@ const Comparison& Session::comparison(const Progress& progress) {
   if (!stages_->comparison) {
     stages_->prepare_fit(progress);
     stages_->comparison = stages_->compare_now(stages_->current());
+    const std::size_t effects = stages_->current().effects.size();
+    for (std::size_t count = 0; count <= effects; ++count) {
+      const auto known = stages_->diagnosis_cache(count).load();
+      if (known) limit_form(*stages_->comparison, known->form_error);
+    }
   }
   return *stages_->comparison;
 }
@@ -112,6 +117,9 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
                              model_warnings(progress),
                              progress);
       });
+  if (stages_->comparison) {
+    limit_form(*stages_->comparison, stages_->diagnosis->form_error);
+  }
   return *stages_->diagnosis;
 }
 

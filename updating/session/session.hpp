@@ -69,7 +69,8 @@ class Session {
   signal::FrfSet frfs_as(const signal::FrfOptions& options,
                          const Progress& progress = {});
   const modal::ModeSet& modes(const Progress& progress = {});
-  /// The current model (base, or with what was added) against measurement.
+  /// The current model (base, or with what was added) against measurement. Its
+  /// floor allows the deck's form no more than what known diagnoses leave it.
   const Comparison& comparison(const Progress& progress = {});
   /// The base model's comparison, whatever has been added since.
   const Comparison& base_comparison(const Progress& progress = {});

@@ -25,7 +25,7 @@ TEST(ProgramHits, TakesTheLastOverrulingBack) {
 
 TEST(ProgramHits, RedoesAHitThatWasTakenBack) {
   const std::string text = played("wait\nj \nwait\nu\nwait\n<C-r>\nwait");
-  EXPECT_TRUE(holds(text, "hit 2: overruled again")) << text;
+  EXPECT_TRUE(holds(text, "hit 2: judged manually again")) << text;
   EXPECT_TRUE(holds(played("wait\nj \nwait\nu\nwait\n<C-r>\nwait\n<C-r>\nwait"),
                     "nothing to redo"));
 }

@@ -8,7 +8,7 @@ namespace {
 
 TEST(ProgramRecording, TagsHitsAndActsOnThem) {
   const std::string text = played("wait\ntt \nwait", {120, 35});
-  EXPECT_TRUE(holds(text, "2 hits overruled")) << text;
+  EXPECT_TRUE(holds(text, "2 hits judged manually")) << text;
   EXPECT_TRUE(holds(text, "3 hits, 2 accepted")) << text;  // one out, one in
   EXPECT_TRUE(holds(played("wait\n*", {120, 35}), "3 tagged"));
   EXPECT_FALSE(holds(played("wait\n*T", {120, 35}), "tagged"));
@@ -26,7 +26,7 @@ TEST(ProgramRecording, UndoesAndRedoesAnActOnSeveralHitsAsOne) {
   EXPECT_TRUE(
       holds(played(act + "u\nwait\nu\nwait", {120, 35}), "nothing to undo"));
   const std::string redone = played(act + "u\nwait\n<C-r>\nwait", {120, 35});
-  EXPECT_TRUE(holds(redone, "2 hits: overruled again")) << redone;
+  EXPECT_TRUE(holds(redone, "2 hits: judged manually again")) << redone;
   EXPECT_TRUE(holds(redone, "manual")) << redone;
   // And as one again.
   EXPECT_FALSE(holds(played(act + "u\nwait\n<C-r>\nwait\nu\nwait", {120, 35}),

@@ -39,7 +39,12 @@ TEST(Palette, SaysWhatCommandsDo) {
 TEST(Palette, FindsCommandsByTheirLetters) {
   EXPECT_TRUE(holds(played("1\nwait\n:dck"), "writes the updated deck"));
   EXPECT_TRUE(holds(played("1\nwait\n:dck<Tab>"), "\n:deck"));
-  EXPECT_TRUE(holds(played("1\nwait\n:tor<Enter>"), "1 of 7."));
+  // What is only guessed is shown before it is done.
+  EXPECT_TRUE(holds(played("1\nwait\n:repot<Enter>"), "\n:report"));
+  EXPECT_FALSE(holds(played("1\nwait\n:repot<Enter>\nwait"), "written"));
+  EXPECT_TRUE(holds(played("1\nwait\n:tor<Enter><Enter>"), "1 of 7."));
+  EXPECT_TRUE(holds(played("1\nwait\n:exp"), "no command is called so"));
+  EXPECT_FALSE(holds(played("1\nwait\n:3"), "no command is called so"));
   const std::string unclear = played("1\nwait\n:t<Enter>");
   EXPECT_TRUE(holds(unclear, "write one of :toggle :tour")) << unclear;
   // Of several that hold them Tab takes none.

@@ -351,6 +351,24 @@ TEST(CommandLine, FaultsAreStatusTwo) {
   EXPECT_EQ(answered({"modes", "b", "--band", "nan", "50"}).exit_status, 2);
 }
 
+TEST(CommandLine, SaysInPlainWordsWhatIsWrong) {
+  const auto said = [](const std::vector<const char*>& arguments) {
+    return answered(arguments).text;
+  };
+  EXPECT_TRUE(holds(said({"modes", "b", "--band", "3"}),
+                    "--band takes 2 values, 1 was given"))
+      << said({"modes", "b", "--band", "3"});
+  EXPECT_TRUE(holds(said({"update", "b", "--lambda"}),
+                    "--lambda takes a value: VALUE|l-curve"))
+      << said({"update", "b", "--lambda"});
+  EXPECT_TRUE(holds(said({"update", "b", "--effect", "foo@1"}),
+                    "--effect: there is no effect \"foo\""))
+      << said({"update", "b", "--effect", "foo@1"});
+  EXPECT_TRUE(holds(said({"modes", "b", "--drop", "x"}),
+                    "\"x\" is not a number from 0 on"))
+      << said({"modes", "b", "--drop", "x"});
+}
+
 TEST(CommandLine, EveryCommandIsDescribed) {
   std::ifstream file(TAPFIT_SOURCE_DIR "/docs/commands.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};

@@ -112,7 +112,7 @@ TEST(DiagnoseCommand, NaNIsNeverPrinted) {
 TEST(DiagnoseCommand, TextEndsWithTheLadder) {
   const std::string text = diagnosis_text(sample_diagnosis());
   EXPECT_NE(text.find("Diagnosis: added-mass"), std::string::npos) << text;
-  EXPECT_NE(text.find("mass_kg 0.0785 +- 0.0006"), std::string::npos) << text;
+  EXPECT_NE(text.find("mass 0.07850 ± 0.00060 kg"), std::string::npos) << text;
   EXPECT_LT(text.find("base model"), text.find("+ added-mass")) << text;
   EXPECT_LT(text.find("+ added-mass"), text.rfind("floor")) << text;
 }
@@ -223,9 +223,12 @@ TEST(UpdateCommand, CandidatesHaveTheFinalValuesRungsTheirOwn) {
 // "0.019 +- 0.023" would say less than the screens do.
 TEST(EstimateText, GivesTheEndOfAnIntervalThatHoldsNothing) {
   EXPECT_EQ(estimate_text({"mass_kg", 0.0785, 0.0006, 0.0773, 0.0797}),
-            "mass_kg 0.0785 +- 0.0006");
+            "mass 0.07850 ± 0.00060 kg");
   EXPECT_EQ(estimate_text({"damping_ns_per_m", 0.019, 0.023, 0.0017, 0.2144}),
-            "damping_ns_per_m at most 0.21 N s/m");
+            "damping at most 0.21 N s/m");
+  updating::Estimate stopped{"mass_kg", 1.5e-5, 0.0016, 1.5e-5, 0.0033};
+  stopped.at_bound = true;
+  EXPECT_EQ(estimate_text(stopped), "mass at most 0.0033 kg");
 }
 
 }  // namespace

@@ -121,6 +121,17 @@ TEST(SvgPlane, ACircleStaysOne) {
   EXPECT_TRUE(holds(svg_plane(plane), ">Re H</text>"));
 }
 
+TEST(SvgPlot, SaysWhatItsGlyphsMean) {
+  Plot plot;
+  plot.x = {"f", "Hz", 0.0, 10.0, false};
+  plot.y = {"order", "", 0.0, 10.0, false};
+  plot.spots = {{5.0, 4.0, U's', {}}};
+  plot.meanings = {{U's', "stable pole"}, {U'o', "new pole"}};
+  const std::string svg = svg_plot(plot, {});
+  EXPECT_NE(svg.find("stable pole"), std::string::npos) << svg;
+  EXPECT_EQ(svg.find("new pole"), std::string::npos) << svg;
+}
+
 TEST(SvgPlot, HasWhatTheScreenMarks) {
   Plot plot = line_plot(Eigen::Vector2d(0, 10), Eigen::Vector2d(0, 1));
   plot.y = {"", "", 0.0, 1.0, false};

@@ -44,6 +44,16 @@ TEST(FrfText, JsonHasThePromisedFields) {
   EXPECT_DOUBLE_EQ(frf.at("median_sd_percent").get<double>(), 2.0);
 }
 
+TEST(FrfText, JsonIsNullWhereNothingWasMeasured) {
+  signal::FrfSet set = sample_frfs();
+  set.frfs[0].hits = 0;
+  set.frfs[0].coherence.setOnes();
+  set.frfs[0].variance.setZero();
+  const auto frf = frf_json(set).at("frfs").at(0);
+  EXPECT_TRUE(frf.at("mean_coherence").is_null());
+  EXPECT_TRUE(frf.at("median_sd_percent").is_null());
+}
+
 TEST(FrfText, TextGivesLinesBandAndWindow) {
   const std::string text = frf_text(sample_frfs());
   EXPECT_NE(text.find("3 lines, 1 to 3 Hz"), std::string::npos) << text;

@@ -43,6 +43,25 @@ TEST(ModesText, JsonIsThatOfTheFormat) {
   EXPECT_TRUE(modes_json(by_hand).at("modes").at(0).at("cluster").is_null());
 }
 
+// Frequencies alone, as somebody else's report has them.
+TEST(ModesText, TellsNothingThatWasNotGiven) {
+  modal::ModeSet set;
+  set.modes.resize(1);
+  set.modes[0].frequency_hz = 7.94;
+  set.modes[0].frequency_sd_hz = 0.024;
+  const auto json = modes_json(set);
+  const auto& mode = json.at("modes").at(0);
+  EXPECT_TRUE(mode.at("damping_ratio").at("value").is_null());
+  EXPECT_TRUE(mode.at("damping_ratio").at("sd").is_null());
+  EXPECT_TRUE(mode.at("mpc").is_null());
+  EXPECT_TRUE(mode.at("mpd_deg").is_null());
+  EXPECT_TRUE(json.at("synthesis_error").is_null());
+  EXPECT_TRUE(json.at("unrefined_error").is_null());
+  const std::string text = modes_text(set);
+  EXPECT_EQ(text.find("0.000"), std::string::npos) << text;
+  EXPECT_EQ(text.find(" 0 "), std::string::npos) << text;
+}
+
 TEST(ModesText, GivesTheMassThatMovesThePoles) {
   modal::ModeSet modes = sample_modes();
   EXPECT_FALSE(modes_json(modes).contains("pole_shifts"));

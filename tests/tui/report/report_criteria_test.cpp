@@ -69,8 +69,9 @@ TEST(Criteria, LetNoModeWithoutAPairPass) {
   EXPECT_EQ(keeps(modes[3], limits), false);
   const Tally found = tally(modes, limits);
   EXPECT_EQ(found.kept, 3U);
-  EXPECT_EQ(found.judged, 4U);
-  EXPECT_FALSE(found.all());
+  EXPECT_EQ(found.failed, 1U);
+  EXPECT_EQ(found.modes, 4U);
+  EXPECT_EQ(found.verdict(), false);
 }
 
 TEST(Criteria, JudgeEachLimitThatIsSet) {
@@ -83,12 +84,35 @@ TEST(Criteria, JudgeEachLimitThatIsSet) {
   EXPECT_EQ(keeps(mode, {.cross_orthogonality_diagonal = 0.9}), true);
 }
 
-TEST(Criteria, AskNoShapeOfPairsWithoutShapes) {
+TEST(Criteria, AreNotKeptWhereALimitIsNotTested) {
   updating::Comparison c = known_pairs();
   for (updating::ModePair& pair : c.pairs) pair.has_shape = false;
   const Criteria mode = criteria_of(c, 3).front();
-  EXPECT_EQ(keeps(mode, {.frequency_percent = 6.0, .mac = 0.9}), true);
+  EXPECT_EQ(keeps(mode, {.frequency_percent = 6.0, .mac = 0.9}), std::nullopt);
+  EXPECT_EQ(keeps(mode, {.frequency_percent = 4.0, .mac = 0.9}), false);
   EXPECT_EQ(keeps(mode, {.mac = 0.9}), std::nullopt);
+  EXPECT_EQ(keeps(mode, {.frequency_percent = 6.0}), true);
+  const Tally found = tally({mode}, {.frequency_percent = 6.0, .mac = 0.9});
+  EXPECT_EQ(found.kept, 0U);
+  EXPECT_EQ(found.verdict(), std::nullopt);
+}
+
+TEST(CriteriaTables, SayWhatWasNotTested) {
+  ReportData data = two_models();
+  data.notes.limits = {.frequency_percent = 2.0, .mac = 0.9};
+  for (updating::Comparison* c : {&data.model->before, &data.model->after}) {
+    for (updating::ModePair& pair : c->pairs) pair.has_shape = false;
+  }
+  EXPECT_EQ(criteria_sentence(data),
+            "The limits of the test (frequency within 2 % and MAC at least "
+            "0.9) are kept by 0 of 3 measured modes, before by 0 of 3: not "
+            "tested.");
+  const std::string text = as_markdown(report_document(data), "f");
+  EXPECT_TRUE(holds_words(text, "| ≥ 0.9 | – | not tested | – | not tested |"))
+      << text;
+  EXPECT_TRUE(
+      holds_words(text, "| all | 0 of 3 | ✗ fail | 0 of 3 | not tested |"))
+      << text;
 }
 
 TEST(Criteria, FailWhereANumberIsNone) {

@@ -147,6 +147,19 @@ TEST(Number, SaysWhichBoundAFitEndedAt) {
   EXPECT_EQ(describe(high), "factor at least 0.92");
 }
 
+// "at most 1" is said of every factor, "at most -2800 N" of the larger ones.
+TEST(Number, GivesBothEndsWhereOneSaysNothing) {
+  updating::Estimate factor{"factor", 0.04, 0.48, 0.04, 1.0};
+  factor.at_bound = true;
+  EXPECT_EQ(describe(factor), "factor 0.04 to 1");
+  updating::Estimate force{"force_n", -25080.0, 12535.0, -49000.0, -2800.0};
+  force.at_bound = true;
+  EXPECT_EQ(describe(force), "force -49000 to -2800 N");
+  updating::Estimate stuck{"factor", 0.31623, 0.0, 0.31623, 0.31623};
+  stuck.at_bound = true;
+  EXPECT_EQ(describe(stuck), "factor 0.316, at its bound");
+}
+
 TEST(Number, NamesParametersByTheirCards) {
   EXPECT_EQ(parameter_words("E:1"), "E (MAT1 1)");
   EXPECT_EQ(parameter_words("G12:3"), "G12 (MAT8 3)");

@@ -3,6 +3,7 @@
 #include "tests/tui/support/canvases.hpp"
 #include "tests/tui/support/fake_results.hpp"
 #include "tests/tui/support/holds.hpp"
+#include "tui/views/compared_modes.hpp"
 #include "tui/widgets/mac_map.hpp"
 
 #include <gtest/gtest.h>
@@ -112,6 +113,24 @@ TEST(CompareView, ShowsModesWithoutAPartner) {
     EXPECT_TRUE(holds(s, "1 rigid-body mode left out")) << s.to_text();
     EXPECT_TRUE(holds(s, "18.4 32.8")) << s.to_text();
   }
+}
+
+// Rigid-body modes that nobody measured are no difference; the sign of a small
+// one is a minus as on screen 7.
+TEST(CompareView, ListsNoRigidBodyModesWithoutAPartner) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.modes.frequency_hz.conservativeResize(4);
+  c.modes.frequency_hz << 9.5e-5, 5.25, 18.4, 32.8;
+  for (updating::ModePair& pair : c.pairs) ++pair.model;
+  c.pairs[0].error_percent = -0.013;
+  c.pairs[1].error_percent = 0.001;
+  const modal::ModeSet modes = testing::fake_modes();
+  const signal::FrfSet none;
+  const Table table =
+      compared_table(compared_modes({c, none, nullptr, &modes}));
+  ASSERT_EQ(table.rows.size(), 3U);
+  EXPECT_EQ(table.rows[0].cells[2], "−0.01");
+  EXPECT_EQ(table.rows[1].cells[2], "0.00");
 }
 
 TEST(CompareView, WrapsALongContour) {

@@ -82,6 +82,21 @@ TEST(DiagnoseDetails, AllNotesStandWhereThereIsNoCandidate) {
   EXPECT_TRUE(holds(text, "! the second")) << text;
 }
 
+// What was rejected is not identified.
+TEST(DiagnoseDetails, SayOnlyOfWhatWasFoundThatItIsUnique) {
+  updating::Diagnosis d = fake_diagnosis();
+  const auto said = [&](std::size_t k) {
+    return joined(details_of(d, d.candidates[k], 78));
+  };
+  EXPECT_TRUE(holds(said(0), "uniquely identified")) << said(0);
+  d.candidates[1].indistinguishable_from.clear();
+  EXPECT_FALSE(holds(said(1), "uniquely identified")) << said(1);
+  d.candidates[0].indistinguishable_from = {{"sensor-mass", {}}};
+  EXPECT_TRUE(holds(said(0), "with these points from")) << said(0);
+  EXPECT_TRUE(holds(joined(details_of(d, d.candidates[0], 78, true)),
+                    "with these modes from"));
+}
+
 TEST(DiagnoseDetails, AreShownByAKeyAndGoByEscape) {
   const std::string first = played("5\nwait\ni");
   EXPECT_TRUE(holds(first, "s = 5 + jw")) << first;

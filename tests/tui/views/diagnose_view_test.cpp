@@ -150,11 +150,30 @@ TEST(DiagnoseView, TakesNoCandidates) {
   d.verdict = "none";
   EXPECT_TRUE(holds(diagnose_view({bundle, d, {}, nullptr}, {}, {}),
                     "nothing significant is missing (error within the floor)"));
-  d.error_base = 0.0186;
+  d.error_best = 0.0186;
   d.floor = 0.0157;
   EXPECT_TRUE(holds(diagnose_view({bundle, d, {}, nullptr}, {}, {120, 35}),
                     "nothing significant is missing (error 1.2 times the "
                     "floor, as good as the data allow)"));
+}
+
+TEST(DiagnoseView, ClaimsNothingThatTheFloorHides) {
+  const acquisition::TestBundle bundle;
+  updating::Diagnosis d;
+  d.verdict = "none";
+  d.error_best = 0.726;
+  d.floor = 0.464;
+  const auto seen = [&] {
+    return diagnose_view({bundle, d, {}, nullptr}, {}, {120, 35});
+  };
+  EXPECT_TRUE(holds(seen(), "a floor of 46.4 % hides what is missing"))
+      << seen().to_text();
+  EXPECT_FALSE(holds(seen(), "nothing significant"));
+  d.floor = 0.2;
+  EXPECT_TRUE(holds(seen(),
+                    "no effect is supported by the data (error 3.6 times the "
+                    "floor)"))
+      << seen().to_text();
 }
 
 // The rung of what is uncertain in the model is no effect.

@@ -32,6 +32,32 @@ TEST(UpdateView, SlidesFromTheLastModelToTheCurrentOne) {
   EXPECT_NE(update_view(input, state, {}).to_text(), there.to_text());
 }
 
+TEST(UpdateView, EndsItsLadderWithTheFloor) {
+  const signal::FrfSet frfs = testing::fake_frfs();
+  const updating::Comparison now = testing::fake_comparison(0.0);
+  const std::vector<updating::Rung> ladder{
+      {"base", {}, 0.388, {}},
+      {"soft-support", {.nodes = {1, 2, 3}, .variant = "rotation"}, 0.1, {}}};
+  const std::vector<updating::AddedEffect> effects{
+      {{"soft-support", ladder[1].where}, true}};
+  acquisition::TestBundle bundle = testing::fake_bundle();
+  bundle.uncertain = {{"material", 1, "E"}};
+  structure::Deck deck = testing::fake_deck();
+  deck.materials[1].E = 7.0e10;
+  deck.shell_properties[1].membrane = 1;
+  const std::vector<updating::Estimate> parameters{
+      {"E:1", 6.87e10, 2.0e8, 6.83e10, 6.91e10}};
+  UpdateInput input{frfs, ladder, parameters, effects, &now, &now};
+  input.bundle = &bundle;
+  input.deck = &deck;
+  const Screen s = update_view(input, {}, {160, 40});
+  EXPECT_TRUE(holds(s, "floor  ")) << s.to_text();
+  EXPECT_TRUE(holds(s, "3.1 %")) << s.to_text();
+  EXPECT_TRUE(holds(s, "to the deck")) << s.to_text();
+  EXPECT_TRUE(holds(s, "−1.86 %")) << s.to_text();
+  EXPECT_TRUE(holds(s, "soft-support rotation, nodes 1, 2, 3")) << s.to_text();
+}
+
 TEST(UpdateView, MarksTheLatestEffectAndShowsItsFit) {
   const signal::FrfSet frfs = testing::fake_frfs();
   const std::vector<updating::Rung> ladder{

@@ -217,6 +217,30 @@ TEST(ModesView, ShowsFrequenciesWithTheirDeviation) {
   }
 }
 
+// A test of frequencies alone has neither shapes nor poles.
+TEST(ModesView, ShowsOfGivenFrequenciesNothingElse) {
+  modal::ModeSet modes;
+  modes.modes.resize(2);
+  modes.modes[0].frequency_hz = 7.94;
+  modes.modes[1].frequency_hz = 9.2;
+  const signal::FrfSet frfs;
+  updating::Comparison c;
+  c.mac = Eigen::MatrixXd::Zero(2, 2);
+  c.modes.frequency_hz = Eigen::Vector2d(8.0, 9.0);
+  c.pairs = {{0, 0, 7.94, 8.0, 0.8, 0.0}};
+  c.pairs[0].has_shape = false;
+  const Wireframe wire = wireframe(testing::fake_deck());
+  ModesState state;
+  for (const bool mac : {false, true}) {
+    state.mac = mac;
+    const Screen s = modes_view({modes, &frfs, &wire, &c}, state, sizes[1]);
+    EXPECT_TRUE(holds(s, "no shapes were given")) << s.to_text();
+    EXPECT_FALSE(holds(s, "0.000")) << s.to_text();
+    EXPECT_FALSE(holds(s, "MAC 0")) << s.to_text();
+    EXPECT_FALSE(holds(s, "stabilisation")) << s.to_text();
+  }
+}
+
 TEST(ModesView, SaysFirstWhatMovesThePoles) {
   modal::ModeSet modes = testing::fake_modes();
   modes.warnings = {"something else"};
@@ -263,6 +287,43 @@ TEST(ReportView, TellsADiagnosisFromTheErrorOfItsModel) {
   EXPECT_FALSE(holds(s, "everywhere"));
   EXPECT_TRUE(holds(s, "error 48.9 % → 48.9 %, floor 2.1 %")) << s.to_text();
   EXPECT_TRUE(holds(s, "error 2.3 % → 2.3 %, floor 2.1 %")) << s.to_text();
+}
+
+// "80.7 % → 80.7 %" and a table twice would be of nothing.
+TEST(ReportView, TellsOfAnUnchangedModelWhatItIs) {
+  const updating::Comparison c = testing::fake_comparison(0.05);
+  const ReportInput input{c,
+                          c,
+                          {{updating::base_rung, {}, 0.388, {}}},
+                          {{"E:1", 7.0e10, 0.0, 7.0e10, 7.0e10}},
+                          {},
+                          {}};
+  const Screen s = report_sheet(input, {100, 0});
+  EXPECT_TRUE(holds(s, "model as delivered: error 38.8 %")) << s.to_text();
+  EXPECT_FALSE(holds(s, "→")) << s.to_text();
+  EXPECT_FALSE(holds(s, "Identified")) << s.to_text();
+  EXPECT_FALSE(holds(s, "before")) << s.to_text();
+  EXPECT_TRUE(holds(s, "model Hz")) << s.to_text();
+}
+
+TEST(ReportView, ComparesWhatWasIdentifiedWithTheDeck) {
+  const updating::Comparison c = testing::fake_comparison(0.05);
+  acquisition::TestBundle bundle = testing::fake_bundle();
+  bundle.uncertain = {{"material", 1, "E"}};
+  structure::Deck deck = testing::fake_deck();
+  deck.materials[1].E = 7.0e10;
+  deck.shell_properties[1].membrane = 1;
+  const ReportInput input{c,
+                          c,
+                          {{updating::base_rung, {}, 0.388, {}},
+                           {updating::uncertain_rung, {}, 0.1, {}}},
+                          {{"E:1", 7.07e10, 2.0e8, 7.03e10, 7.11e10}},
+                          {},
+                          {},
+                          &bundle,
+                          &deck};
+  const Screen s = report_sheet(input, {100, 0});
+  EXPECT_TRUE(holds(s, "e10 Pa, +1.00 % to the deck")) << s.to_text();
 }
 
 // The verdict was added: its error is that of the ladder, not of another fit.

@@ -101,6 +101,46 @@ TEST(NextStep, SaysWhatTheVerdictBuys) {
             "next: no effect of the list explains it: i says what may");
 }
 
+// 72.6 % at a floor of 46.4 % is no verdict, and no effect supported is not
+// nothing missing.
+TEST(NextStep, SaysWhatAFloorHides) {
+  Snapshot known;
+  known.has_model = true;
+  updating::Diagnosis d = testing::fake_diagnosis();
+  d.ladder.clear();
+  d.verdict = "none";
+  d.error_best = 0.726;
+  d.floor = 0.464;
+  known.diagnosis = shared(d);
+  updating::Comparison c = testing::fake_comparison(0.0);
+  c.error = 0.726;
+  c.floor = 0.464;
+  known.comparison = shared(c);
+  known.base_comparison = shared(c);
+  EXPECT_EQ(step_words(4, known),
+            "next: a floor of 46.4 % hides what is missing: 7 has the "
+            "warnings");
+  EXPECT_EQ(step_words(6, known),
+            "next: a floor of 46.4 % hides what is missing: w writes the "
+            "report");
+  d.error_best = 0.05;
+  d.floor = 0.01;
+  known.diagnosis = shared(d);
+  EXPECT_EQ(step_words(4, known),
+            "next: no effect is supported by the data: 7 reports it");
+}
+
+TEST(NextStep, OfGivenModesSpeaksOfNoFrfs) {
+  Snapshot known;
+  known.has_model = true;
+  acquisition::TestBundle bundle = testing::fake_bundle();
+  bundle.modes.emplace();
+  known.bundle = shared(bundle);
+  known.modes = shared(testing::fake_modes());
+  EXPECT_EQ(step_words(2, known),
+            "next: 3 modes were given: 4 compares with the model");
+}
+
 TEST(NextStep, ReportsOnceItWasLookedFor) {
   Snapshot known;
   known.has_model = true;

@@ -131,6 +131,26 @@ TEST_F(PlateOfModes, AHiddenMassIsFound) {
   EXPECT_NEAR(value_of(d.ladder[0], "mass_kg"), 0.05, 0.005);
 }
 
+// What is missing is not the deck's form once a diagnosis has shown how little
+// can be left.
+TEST_F(PlateOfModes, AFloorIsNotRaisedByWhatIsMissing) {
+  testing::PlateOptions truth;
+  truth.cards = {fmt::format("CONM2,901,{},,0.015", plate_grid(8, 4))};
+  write(truth,
+        9,
+        testing::plate_points(),
+        {},
+        R"(, "uncertain": [{"material": 1, "property": "E"}])");
+  Session session(folder_.path());
+  session.fit_uncertain();
+  const Comparison before = session.comparison();
+  const Diagnosis d = session.diagnosis();
+  ASSERT_FALSE(d.ladder.empty());
+  EXPECT_GT(before.floor_form, 2.0 * d.form_error);
+  EXPECT_LE(session.comparison().floor_form, d.form_error);
+  EXPECT_LT(session.comparison().floor, before.floor);
+}
+
 TEST_F(PlateOfModes, AHiddenSpringIsFound) {
   testing::PlateOptions truth;
   truth.cards = {fmt::format("CELAS2,901,3000.,{},3", plate_grid(7, 0))};

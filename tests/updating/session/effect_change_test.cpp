@@ -51,5 +51,15 @@ TEST(EffectChange, RefusesToSwitchWhatIsNotThere) {
   EXPECT_THROW((void)states_through({}, {{{}, 0}}), InputError);
 }
 
+TEST(CountedTwice, NamesTheChannelsThatHaveItAlready) {
+  const EffectRef both{"sensor-mass", {.channels = {"acc1", "acc2"}}};
+  const EffectRef one{"sensor-mass", {.channels = {"acc1"}}};
+  const EffectRef other{"channel-gain", {.channels = {"acc1"}}};
+  EXPECT_EQ(counted_twice({both}, {one}),
+            "sensor-mass now counts twice at acc1: the sizes add up there");
+  EXPECT_EQ(counted_twice({}, {both, one}), counted_twice({both}, {one}));
+  EXPECT_EQ(counted_twice({both}, {other}), "");
+}
+
 }  // namespace
 }  // namespace tapfit::updating
