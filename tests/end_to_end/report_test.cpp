@@ -129,7 +129,7 @@ TEST_F(Report, OfFrequenciesAloneHasNoShapes) {
   write_file(bundle / "test.json", R"({"tapfit": 1, "modes": "modes.csv"})");
   const std::string html = reported(bundle, bundle / "report.html");
   expect_sound(html);
-  EXPECT_TRUE(holds(html, "2 modes were given, from 39.8 to 251.1 Hz"));
+  EXPECT_TRUE(holds(html, "2 modes were given, from 39.80 to 251.1 Hz"));
   EXPECT_FALSE(holds(html, "Mode shapes"));
 }
 

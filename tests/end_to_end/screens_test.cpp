@@ -112,17 +112,17 @@ TEST_F(Screens, AHitTakenBackIsOverruledAgainAfterARestart) {
   const std::string back = replay("1\nwait\n \nwait\nu\nwait\n");
   EXPECT_TRUE(holds(back, "back to automatic")) << back;
   const std::string again = replay("1\nwait\n<C-r>\nwait\n");
-  EXPECT_TRUE(holds(again, "run 1, hit 1: overruled again")) << again;
+  EXPECT_TRUE(holds(again, "run 1, hit 1: judged manually again")) << again;
   EXPECT_TRUE(holds(again, "manually")) << again;
 }
 
 TEST_F(Screens, HitsOverruledTogetherAreTakenBackTogetherAfterARestart) {
   const std::string act = replay("1\nwait\ntt \nwait\n");
-  EXPECT_TRUE(holds(act, "2 hits overruled")) << act;
+  EXPECT_TRUE(holds(act, "2 hits judged manually")) << act;
   const std::string back = replay("1\nwait\nu\nwait\n");
   EXPECT_TRUE(holds(back, "2 hits: back to automatic")) << back;
   const std::string again = replay("1\nwait\n<C-r>\nwait\n");
-  EXPECT_TRUE(holds(again, "2 hits: overruled again")) << again;
+  EXPECT_TRUE(holds(again, "2 hits: judged manually again")) << again;
 }
 
 }  // namespace
