@@ -53,6 +53,23 @@ TEST_F(OutputsOfATest, NeverGoOverWhatItReads) {
   EXPECT_EQ(read_file(bundle_ / "model.bdf"), deck);
 }
 
+TEST_F(OutputsOfATest, AreAllPlotsAndTablesInTheirFolders) {
+  const std::string folders = fmt::format(
+      "--plots {} --tables {}", in_bundle("plots"), in_bundle("tables"));
+  const ProgramResult result = run("export", folders);
+  ASSERT_EQ(result.exit_status, 0) << result.err;
+  for (const char* table : {"frf", "modes", "compare", "diagnose"}) {
+    const fs::path file = bundle_ / "tables" / fmt::format("{}.csv", table);
+    EXPECT_TRUE(fs::exists(file)) << file;
+    EXPECT_TRUE(holds(result.out, fmt::format("tables/{}.csv", table)));
+  }
+  for (const char* plot : {"frf", "compare"}) {
+    EXPECT_TRUE(holds(result.out, fmt::format("plots/{}", plot))) << result.out;
+  }
+  EXPECT_EQ(run("export", folders).exit_status, 1) << "they are there";
+  EXPECT_EQ(run("export", folders + " --force").exit_status, 0);
+}
+
 TEST_F(OutputsOfATest, GoOverAnotherFileOnlyWhereThatIsAskedFor) {
   const fs::path file = bundle_ / "out.uff";
   write_file(file, "older");
