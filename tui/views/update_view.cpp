@@ -160,6 +160,15 @@ std::vector<LadderRow> ladder_rows(const UpdateInput& input,
   return rows;
 }
 
+/// All of the names where the number and some of its bar have room beside them.
+int names_width(const std::vector<LadderRow>& rows, int width) {
+  int names = std::min(width - 14, 30);
+  for (const LadderRow& row : rows) {
+    names = std::max(names, std::min(text_width(row.name) + 2, width - 24));
+  }
+  return names;
+}
+
 void draw_ladder(Screen& screen,
                  const Rect& rect,
                  const UpdateInput& input,
@@ -170,13 +179,8 @@ void draw_ladder(Screen& screen,
   }
   const double floor = input.current != nullptr ? input.current->floor : 0.0;
   screen.text(rect.x, rect.y, "ladder", {.colour = Colour::Grey});
-  // Room for the number and some of its bar.
   const std::vector<LadderRow> all = ladder_rows(input, state);
-  int names = std::min(rect.width - 14, 30);
-  for (const LadderRow& row : all) {
-    names =
-        std::max(names, std::min(text_width(row.name) + 2, rect.width - 24));
-  }
+  const int names = names_width(all, rect.width);
   const bool with_floor = floor > 0.0;
   const int room = rect.height - (with_floor ? 2 : 1);
   const int rows = std::min(static_cast<int>(all.size()), room);
