@@ -21,7 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-
 /// "run.v2" keeps its point.
 fs::path with_ending(fs::path named, const std::string& ending) {
   const fs::path own = named.extension();
