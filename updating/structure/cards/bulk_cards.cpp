@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/structure/cards/case_changes.hpp"
 
 #include <fmt/format.h>
 
@@ -142,6 +143,7 @@ BulkData read_bulk_data(const std::filesystem::path& path) {
   result.warnings = std::move(source.warnings);
   CardJoiner joiner(result.cards);
   for (const SourceLine& line : source.bulk) joiner.add(line);
+  add_case_changes(result);
   return result;
 }
 

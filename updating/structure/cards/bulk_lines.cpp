@@ -40,71 +40,6 @@ std::vector<std::string> names_included(const std::filesystem::path& path) {
   return names;
 }
 
-// NAME = value, in capitals; empty for other lines.
-struct Selection {
-  std::string name;
-  std::string value;
-};
-
-Selection selection(const std::string& text) {
-  const std::string line = upper(trimmed(text));
-  const std::size_t equals = line.find('=');
-  if (equals == std::string::npos) return {};
-  return {trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1))};
-}
-
-// NAME, or 2.0*NAME, one after the other.
-std::vector<std::string> matrix_names(const std::string& value) {
-  std::vector<std::string> names;
-  std::size_t from = 0;
-  while (from < value.size()) {
-    const std::size_t comma = std::min(value.find(',', from), value.size());
-    const std::string one = trimmed(value.substr(from, comma - from));
-    if (!one.empty()) names.push_back(one);
-    from = comma + 1;
-  }
-  return names;
-}
-
-// Takes the case control line by line. What stands above all subcases holds in
-// the first, unless that has its own.
-class CaseReader {
- public:
-  void add(const std::string& text, CaseControl& control) {
-    const std::string line = upper(trimmed(text));
-    if (line.starts_with("SUBCASE")) {
-      ++subcase_;
-      return;
-    }
-    const Selection chosen = selection(text);
-    if (chosen.name == "METHOD") control.for_modes = true;
-    if (chosen.name == "SPC") take_spc(parse_integer(chosen.value), control);
-    if (chosen.name == "MPC" && (subcase_ < 2 || !control.mpc_set)) {
-      const std::optional<int> set = parse_integer(chosen.value);
-      if (set) control.mpc_set = set;
-    }
-    if (subcase_ > 1) return;
-    if (chosen.name == "K2GG") {
-      control.stiffness_matrices = matrix_names(chosen.value);
-    } else if (chosen.name == "M2GG") {
-      control.mass_matrices = matrix_names(chosen.value);
-    }
-  }
-
- private:
-  void take_spc(std::optional<int> set, CaseControl& control) const {
-    if (!set || set == control.spc_set) return;
-    std::vector<int>& others = control.other_spc_sets;
-    if (!control.spc_set || subcase_ < 2) {
-      control.spc_set = set;
-    } else if (std::find(others.begin(), others.end(), *set) == others.end()) {
-      others.push_back(*set);
-    }
-  }
-
-  int subcase_ = 0;
-};
-
 }  // namespace
 
 DeckLines read_deck_lines(const std::filesystem::path& path) {
@@ -130,7 +65,7 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
         acquisition::printable(expand_tabs(without_comment(line.text)));
     if (ended || trimmed(text).empty()) continue;
     if (!in_bulk || (!has_begin && looks_like_control(text))) {
-      cases.add(text, result.control);
+      cases.add(text, line.where);
       if (is_begin_bulk(text)) in_bulk = true;
     } else if (is_end(text)) {
       ended = true;
@@ -139,6 +74,7 @@ DeckLines read_deck_lines(const std::filesystem::path& path) {
           {text, line.where, line.number, result.all.size() - 1});
     }
   }
+  result.control = cases.result();
   return result;
 }
 

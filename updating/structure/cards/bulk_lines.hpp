@@ -3,6 +3,7 @@
 #pragma once
 
 #include "updating/structure/abaqus/left_out.hpp"
+#include "updating/structure/cards/case_control.hpp"
 #include "updating/structure/cards/line_text.hpp"
 
 #include <filesystem>
@@ -18,16 +19,6 @@ struct SourceLine {
   std::string where;  ///< "file:line"
   int number = 0;
   std::size_t index = 0;  ///< in DeckLines::all
-};
-
-/// What the case control selects: of several subcases the first.
-struct CaseControl {
-  bool for_modes = false;           ///< METHOD = n: it is solved as it stands
-  std::optional<int> spc_set;       ///< SPC = n
-  std::vector<int> other_spc_sets;  ///< of further subcases, each once
-  std::optional<int> mpc_set;       ///< MPC = n
-  std::vector<std::string> stiffness_matrices;  ///< K2GG = name, ...
-  std::vector<std::string> mass_matrices;       ///< M2GG = name, ...
 };
 
 struct DeckLines {

@@ -1,5 +1,6 @@
 #include "updating/structure/edit/hold_cards.hpp"
 
+#include "updating/structure/cards/case_control.hpp"
 #include "updating/structure/edit/deck_cards.hpp"
 
 #include <fmt/format.h>
@@ -63,10 +64,8 @@ std::vector<std::string> spc1_lines(int set,
 }  // namespace
 
 int constraint_set(const Deck& deck) {
-  constexpr auto any_case = std::regex::icase;
-  const std::regex chosen(R"(^\s*SPC\s*=\s*(\d{1,8})\b)", any_case);
-  const std::regex card(R"(^SPC1?\*?[\s,]+(\d{1,8})\b)", any_case);
-  if (const auto set = first_number(deck, chosen)) return *set;
+  if (const auto set = case_control(deck.cards).spc_set) return *set;
+  const std::regex card(R"(^SPC1?\*?[\s,]+(\d{1,8})\b)", std::regex::icase);
   return first_number(deck, card).value_or(1);
 }
 
@@ -87,6 +86,13 @@ std::vector<std::string> hold_cards(const Deck& deck,
         grid.components));
   }
   const int set = constraint_set(deck);
+  const CaseControl control = case_control(deck.cards);
+  if (!alike.empty() && control.selects && !control.spc_set) {
+    cards.push_back(
+        fmt::format("$ choose SPC = {} in the case control, without which what "
+                    "follows does not hold",
+                    set));
+  }
   for (const auto& [components, grids] : alike) {
     for (std::string& line : spc1_lines(set, components, grids)) {
       cards.push_back(std::move(line));

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace tapfit::structure {
 namespace {
 
@@ -44,12 +46,15 @@ void read_spc1(DeckBuilder& builder, const CardReader& card) {
     }
     ++at;
   }
-  if (held.size() == before || components.empty()) {
+  if (held.size() == before) {
     builder.warn(card,
-                 components.empty() ? "it holds nothing: field 3 names no "
-                                      "component"
-                                    : "it holds nothing: no grid is named from "
-                                      "field 4 on, or none exists");
+                 "it holds nothing: no grid is named from field 4 on, or none "
+                 "exists");
+  } else if (std::all_of(
+                 held.begin() + static_cast<std::ptrdiff_t>(before),
+                 held.end(),
+                 [](const Constraint& c) { return c.components.empty(); })) {
+    builder.warn(card, "it holds nothing: field 3 names no component");
   }
 }
 

@@ -41,42 +41,48 @@ std::string numbered(const char* name, std::size_t count) {
   return fmt::format("{} sets of {}", count, name);
 }
 
-// A case control that is solved as it stands and chooses no set holds nothing.
-void warn_unasked(const CaseControl& control,
-                  const char* name,
-                  int set,
-                  Deck& deck) {
-  if (!control.for_modes) return;
-  deck.warnings.push_back(fmt::format(
-      "the case control chooses no {0}, so that Nastran would leave "
-      "it out: set {1} holds here; write {0} = {1} there, or take "
-      "its cards out if the model is meant without",
-      name,
-      set));
+// A set that a case control does not choose is not in the model, as in Nastran.
+template <typename Sets>
+void drop_unchosen(const char* name, Sets& sets, Deck& deck) {
+  if (sets.empty()) return;
+  std::vector<std::string> ids;
+  for (const auto& [id, members] : sets) ids.push_back(fmt::format("{}", id));
+  deck.warnings.push_back(
+      fmt::format("the case control chooses no {0}: set {1} is not in the "
+                  "model, as in Nastran; write {0} = {2} there if it is meant",
+                  name,
+                  listed(ids),
+                  ids.front()));
+  sets.clear();
 }
 
-// All sets hold where none is chosen; that is said where it may not be meant.
-void warn_unselected(const DeckBuilder& builder,
-                     const CaseControl& control,
-                     Deck& deck) {
+// Without a case control all sets hold; of several that is said.
+void warn_unselected(const DeckBuilder& builder, Deck& deck) {
   std::vector<std::string> sets;
-  if (!control.spc_set && builder.constraint_sets.size() > 1) {
+  if (builder.constraint_sets.size() > 1) {
     sets.push_back(numbered("SPC", builder.constraint_sets.size()));
   }
-  if (!control.mpc_set && builder.relation_sets.size() > 1) {
+  if (builder.relation_sets.size() > 1) {
     sets.push_back(numbered("MPC", builder.relation_sets.size()));
-  }
-  if (!control.spc_set && builder.constraint_sets.size() == 1) {
-    warn_unasked(control, "SPC", builder.constraint_sets.begin()->first, deck);
-  }
-  if (!control.mpc_set && builder.relation_sets.size() == 1) {
-    warn_unasked(control, "MPC", builder.relation_sets.begin()->first, deck);
   }
   if (sets.empty()) return;
   deck.warnings.push_back(
-      fmt::format("the case control chooses none of {}: all hold; choose one "
+      fmt::format("no case control chooses among {}: all hold; choose one "
                   "there (SPC = n, MPC = n) if that is meant",
                   listed(sets)));
+}
+
+void drop_unchosen(const CaseControl& control, DeckBuilder& builder) {
+  if (!control.selects) {
+    warn_unselected(builder, builder.deck);
+    return;
+  }
+  if (!control.spc_set) {
+    drop_unchosen("SPC", builder.constraint_sets, builder.deck);
+  }
+  if (!control.mpc_set) {
+    drop_unchosen("MPC", builder.relation_sets, builder.deck);
+  }
 }
 
 void warn_other_subcases(const CaseControl& control, Deck& deck) {
@@ -85,11 +91,17 @@ void warn_other_subcases(const CaseControl& control, Deck& deck) {
   for (const int set : control.other_spc_sets) {
     sets.push_back(fmt::format("{}", set));
   }
-  deck.warnings.push_back(
-      fmt::format("the case control also selects SPC {}: the model is held as "
-                  "in its first subcase, by SPC {} alone",
-                  listed(sets),
-                  *control.spc_set));
+  const std::string subcase =
+      control.first
+          ? "its first subcase"
+          : fmt::format("its subcase {}, the first for modes", control.subcase);
+  deck.warnings.push_back(fmt::format(
+      "the case control also selects SPC {}: the model is held as "
+      "in {}, by {}",
+      listed(sets),
+      subcase,
+      control.spc_set ? fmt::format("SPC {} alone", *control.spc_set)
+                      : "none"));
 }
 
 // What the case control selects, and what is not read.
@@ -98,12 +110,12 @@ void finish(const BulkData& bulk,
             DeckBuilder& builder) {
   Deck& deck = builder.deck;
   const CaseControl& control = bulk.control;
+  drop_unchosen(control, builder);
   apply_constraints(builder, control.spc_set);
   apply_relations(builder, control.mpc_set);
   apply_direct_matrices(
       builder, control.stiffness_matrices, control.mass_matrices);
   check_odd_materials(builder);
-  warn_unselected(builder, control, deck);
   warn_other_subcases(control, deck);
   for (const auto& cards : {unsupported.needed, unsupported.others}) {
     for (const UnsupportedCard& card : cards) {

@@ -33,6 +33,9 @@ bool starts_with_any(const std::string& name,
 // Loads, temperatures, aerodynamics, optimisation, tables, plots, damping,
 // heat, control, sets of a reduction: nothing that the modes see.
 bool is_harmless(const std::string& name) {
+  static const std::set<std::string> whole_names{
+      "CLOAD", "CREEP", "COUNT", "CASECC"};
+  if (whole_names.contains(name)) return true;
   return starts_with_any(
       name, {"FREQ",    "TSTEP",   "DLOAD",   "RLOAD",   "TLOAD",   "DAREA",
              "DELAY",   "DPHASE",  "FORCE",   "MOMENT",  "GRAV",    "RFORCE",
@@ -59,13 +62,29 @@ bool is_harmless(const std::string& name) {
              "MESHREP", "BCPARA",  "ACMODL",  "CAMPBLL", "FATIGUE", "FTGDEF"});
 }
 
+// Nonstructural mass counts where the case control chooses it.
+bool is_unchosen(const std::string& name, const CaseControl& control) {
+  return name.starts_with("NSM") && control.selects &&
+         !control.commands.contains("NSM");
+}
+
 std::string consequence(const std::string& name) {
   if (name.starts_with("=")) {
-    return "what it repeats is missing from the model; write the cards out";
+    return "what it repeats is missing from the model; write the cards out, as "
+           "Nastran does with ECHO = PUNCH, and preprocessors";
   }
-  if (name.starts_with("R") || name.starts_with("MPC")) {
+  if (name.starts_with("RB") || name.starts_with("RROD") ||
+      name.starts_with("RTRPLT") || name.starts_with("RS") ||
+      name.starts_with("RJOINT") || name.starts_with("MPC")) {
     return "a rigid connection is left out: the model is softer or falls "
            "apart";
+  }
+  if (name == "MFLUID") {
+    return "the mass of the fluid is missing from the model; give it by masses "
+           "(CONM2, NSM) on the wetted parts";
+  }
+  if (name == "GMBC" || name == "GMSPC") {
+    return "a support is missing from the model; write it as SPC1";
   }
   if (name.starts_with("NSM")) {
     return "nonstructural mass is missing from the model; give it by the NSM "
@@ -93,17 +112,18 @@ std::string consequence(const std::string& name) {
 // Other cards refer to it, or leave fields blank that it fills.
 bool defines(const std::string& name) {
   return name.starts_with("CORD") || name.starts_with("P") ||
-         (name.starts_with("M") && !name.starts_with("MPC"));
+         (name.starts_with("M") && !name.starts_with("MPC") &&
+          name != "MFLUID");
 }
 
 // The model lacks stiffness, mass or a constraint without it.
 bool is_needed(const std::string& name) {
   if (defines(name)) return false;
   return starts_with_any(
-      name,
-      {"C",      "RB",     "RROD",    "RTRPLT", "RSPLINE", "RSSCON", "RJOINT",
-       "MPC",    "NSM",    "SPC",     "BGSET",  "BGADD",   "BCTSET", "BCTABLE",
-       "BCBODY", "SEBULK", "SECONCT", "SEELT",  "SELOC",   "GENEL",  "="});
+      name, {"C",      "MFLUID",  "GMBC",   "GMSPC",  "RB",      "RROD",
+             "RTRPLT", "RSPLINE", "RSSCON", "RJOINT", "MPC",     "NSM",
+             "SPC",    "BGSET",   "BGADD",  "BCTSET", "BCTABLE", "BCBODY",
+             "SEBULK", "SECONCT", "SEELT",  "SELOC",  "GENEL",   "="});
 }
 
 // Keywords of Abaqus hold blanks, which do not count.
@@ -172,7 +192,7 @@ UnsupportedCards unsupported_cards(const BulkData& bulk,
   }
   std::vector<std::string> harmless;
   for (const auto& [name, seen] : unknown) {
-    if (is_harmless(name)) {
+    if (is_harmless(name) || is_unchosen(name, bulk.control)) {
       harmless.push_back(name);
       continue;
     }
