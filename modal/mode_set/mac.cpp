@@ -66,6 +66,16 @@ Eigen::VectorXd comac(const Eigen::MatrixXcd& U, const Eigen::MatrixXcd& V) {
   return result.cwiseMin(1.0);
 }
 
+Eigen::MatrixXcd in_scale_of(const Eigen::MatrixXcd& U,
+                             const Eigen::MatrixXcd& V) {
+  Eigen::MatrixXcd scaled = U;
+  for (Eigen::Index k = 0; k < U.cols(); ++k) {
+    const double size = U.col(k).squaredNorm();
+    if (size > 0.0) scaled.col(k) *= U.col(k).dot(V.col(k)) / size;
+  }
+  return scaled;
+}
+
 namespace {
 
 /// Inner products of each pair, from which leaving out a row subtracts.

@@ -59,10 +59,17 @@ namespace tapfit::modal {
 /// Coordinate MAC of paired shapes: how well each degree of freedom agrees
 /// over all pairs.
 ///
-/// @param U, V n_dof x p; column k of one belongs to column k of the other
+/// @param U, V n_dof x p; column k of one belongs to column k of the other, in
+///   one scale over all columns (see in_scale_of)
 /// @return n_dof values, each 0..1
 [[nodiscard]] Eigen::VectorXd comac(const Eigen::MatrixXcd& U,
                                     const Eigen::MatrixXcd& V);
+
+/// Each column of U times the number by which it is nearest to that of V,
+/// (u^H v) / (u^H u): measured shapes may have a scale of their own each.
+/// @param U, V n_dof x p
+[[nodiscard]] Eigen::MatrixXcd in_scale_of(const Eigen::MatrixXcd& U,
+                                           const Eigen::MatrixXcd& V);
 
 /// One step of MACCO: the degree of freedom left out and what remains.
 struct LeftOut {

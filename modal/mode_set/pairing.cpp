@@ -139,9 +139,13 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
   check(by_hand, measured.cols(), model.cols());
   if (measured.cols() == 0 || model.cols() == 0) return pairs;
   const bool shapes = measured.rows() > 0;
-  const Eigen::MatrixXd likeness =
+  Eigen::MatrixXd likeness =
       shapes ? mac(measured, model)
              : Eigen::MatrixXd::Ones(measured.cols(), model.cols());
+  // Where no point moves, the frequency counts alone.
+  for (Index i = 0; shapes && i < measured.cols(); ++i) {
+    if (measured.col(i).isZero(0.0)) likeness.row(i).setOnes();
+  }
   Eigen::MatrixXd cost = costs(likeness, f_measured, f_model, options);
   for (const Pair& pair : by_hand) {
     cost.row(pair.measured).setConstant(forbidden);
@@ -160,7 +164,7 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
     if (cost(i, m) < forbidden) pairs.push_back({i, m, likeness(i, m)});
   }
   for (Pair& pair : pairs) {
-    if (!shapes) pair.mac = 0.0;
+    if (!shapes || measured.col(pair.measured).isZero(0.0)) pair.mac = 0.0;
   }
   std::ranges::sort(pairs, {}, &Pair::measured);
   return pairs;

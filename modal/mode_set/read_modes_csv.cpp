@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 #include <string>
@@ -59,6 +60,30 @@ std::optional<std::pair<Dof, std::string>> point_column(
       "leave one of the two out");
 }
 
+/// "Frequency [Hz]" to "frequency_hz", "Damping (%)" to "damping_percent": as
+/// instruments write them; other names as they are.
+std::string usual_column(const std::string& name) {
+  static const std::map<std::string, std::string> usual{
+      {"frequencyhz", "frequency_hz"},
+      {"freqhz", "frequency_hz"},
+      {"fhz", "frequency_hz"},
+      {"frequency", "frequency_hz"},
+      {"dampingratio", "damping_ratio"},
+      {"damping%", "damping_percent"},
+      {"dampingratio%", "damping_percent"},
+      {"zeta%", "damping_percent"},
+      {"dampingpercent", "damping_percent"}};
+  std::string plain;
+  for (const char c : name) {
+    const auto letter = static_cast<unsigned char>(c);
+    if (std::isalnum(letter) != 0 || c == '%') {
+      plain += static_cast<char>(std::tolower(letter));
+    }
+  }
+  const auto found = usual.find(plain);
+  return found == usual.end() ? name : found->second;
+}
+
 Columns columns_of(const std::vector<std::string>& header,
                    const std::string& file) {
   static const std::vector<std::string> known{"frequency_hz",
@@ -71,8 +96,9 @@ Columns columns_of(const std::vector<std::string>& header,
   Columns columns;
   for (const std::string& name : header) {
     const auto at = static_cast<Index>(columns.names.size());
-    if (std::ranges::count(known, name) > 0) {
-      if (!columns.own.emplace(name, at).second) refuse_second(name, file);
+    const std::string own = usual_column(name);
+    if (std::ranges::count(known, own) > 0) {
+      if (!columns.own.emplace(own, at).second) refuse_second(name, file);
     } else if (auto point = point_column(name)) {
       auto& [dof, part] = *point;
       const double sign = dof.sign;

@@ -55,18 +55,16 @@ std::pair<std::string, std::string> fault(const Mode& mode) {
   }
   const double largest =
       mode.shape.size() > 0 ? mode.shape.cwiseAbs().maxCoeff() : 1.0;
-  if (largest == 0.0) {
-    return {"its shape is zero at all points",
-            "leave the mode out, or give all modes without shapes"};
-  }
-  if (largest < 1e-60 || largest > 1e60) {  // fourth powers of it are finite
+  // Fourth powers of it are finite; of zero the frequency counts alone.
+  const bool still = largest == 0.0;
+  if (!still && (largest < 1e-60 || largest > 1e60)) {
     return {fmt::format("its shape reaches {}", largest),
             "scale it, for example to 1 where it is largest"};
   }
   const auto belongs = [&](double sd) { return is_scatter(sd, largest); };
   const bool rigid = f == 0.0;  // it is left out
   if (!(rigid || is_scatter(mode.frequency_sd_hz, f)) ||
-      !std::ranges::all_of(mode.shape_sd, belongs)) {
+      (!still && !std::ranges::all_of(mode.shape_sd, belongs))) {
     return {
         "a standard deviation of it is below 0, no number, or beyond "
         "1e-30 to 1e6 of the value",

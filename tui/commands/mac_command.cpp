@@ -187,7 +187,8 @@ ordered_json mac_json(const modal::ModeSet& first,
                      {"mac", mac_of_pair_json(common, pair)}});
   }
   const auto [left, right] = paired(common);
-  const Eigen::VectorXd comac = modal::comac(left, right);
+  const Eigen::VectorXd comac =
+      modal::comac(modal::in_scale_of(left, right), right);
   ordered_json points = ordered_json::object();
   for (std::size_t k = 0; k < common.dofs.size(); ++k) {
     points[name(common.dofs[k])] = comac(static_cast<Eigen::Index>(k));
@@ -220,7 +221,8 @@ std::string mac_text(const modal::ModeSet& first,
   text += fmt::format(
       "Mean MAC of the pairs {:.4f}; without the sensors that lower it most\n",
       modal::mac(left, right).diagonal().mean());
-  const Eigen::VectorXd comac = modal::comac(left, right);
+  const Eigen::VectorXd comac =
+      modal::comac(modal::in_scale_of(left, right), right);
   TextTable table({"<left out", "mean MAC", "CoMAC"});
   for (const modal::LeftOut& step : modal::macco(left, right, kMaccoSteps)) {
     table.add({name(common.dofs[static_cast<std::size_t>(step.dof)]),

@@ -97,7 +97,8 @@ void pair_up(const modal::ModeSet& modes,
     p.measured_hz = measured_hz(p.measured);
     p.model_hz = c.modes.frequency_hz(p.model);
     p.error_percent = 100.0 * (p.model_hz - p.measured_hz) / p.measured_hz;
-    p.has_shape = modes.dofs.size() >= fewest_values;
+    p.has_shape = modes.dofs.size() >= fewest_values &&
+                  !measured.col(p.measured).isZero(0.0);
     p.mac = c.mac(p.measured, p.model);
     p.weighted_mac = c.weighted_mac(p.measured, p.model);
     p.by_hand = std::ranges::any_of(
@@ -106,7 +107,7 @@ void pair_up(const modal::ModeSet& modes,
     right.col(static_cast<Index>(k)) = model.col(p.model);
     c.pairs.push_back(p);
   }
-  c.comac = modal::comac(left, right);
+  c.comac = modal::comac(modal::in_scale_of(left, right), right);
   if (!modes.dofs.empty() && modes.dofs.size() < fewest_values) {
     c.pair_notes.push_back(fmt::format(
         "no MAC: measured shapes of {} value{} are like many of the model's",

@@ -30,8 +30,13 @@ MatrixXd likeness(const ModalData& data, const MatrixXd& at_points) {
   if (data.points() == 0) {
     return MatrixXd::Ones(data.modes(), at_points.cols());
   }
-  return modal::mac(data.shape.cast<std::complex<double>>(),
-                    at_points.cast<std::complex<double>>());
+  MatrixXd alike = modal::mac(data.shape.cast<std::complex<double>>(),
+                              at_points.cast<std::complex<double>>());
+  // Where no point moves, the frequency counts alone.
+  for (Index r = 0; r < data.modes(); ++r) {
+    if (data.shape.col(r).isZero(0.0)) alike.row(r).setOnes();
+  }
+  return alike;
 }
 
 // |ln ratio| of every measured frequency and every one of the model's.
@@ -86,6 +91,11 @@ ModalData modal_data(const modal::ModeSet& measured) {
   data.shape_weight.resize(n, p);
   for (Index r = 0; shapes && r < p; ++r) {
     const modal::Mode& mode = measured.modes[static_cast<std::size_t>(r)];
+    if (mode.shape.isZero(0.0)) {
+      data.shape.col(r).setZero();
+      data.shape_weight.col(r).setZero();
+      continue;
+    }
     const VectorXd real = modal::real_shape(mode.shape);
     data.shape.col(r) = real / real.norm();
     data.shape_weight.col(r) =

@@ -59,7 +59,9 @@ void leave_out(const acquisition::TestBundle& bundle, modal::ModeSet& modes) {
 // The model's shapes are real: of a measured one the nearest real shape counts.
 void warn_of_complex(modal::ModeSet& modes) {
   for (const modal::Mode& mode : modes.modes) {
-    if (mode.shape.size() <= 2 || mode.mpc >= modal::in_phase_mpc) continue;
+    if (mode.shape.size() <= 2 || mode.shape.isZero(0.0) ||
+        mode.mpc >= modal::in_phase_mpc)
+      continue;
     modes.warnings.push_back(
         fmt::format("the points of the mode at {:.6g} Hz do not move in phase "
                     "(MPC {:.2f}): "
@@ -81,6 +83,14 @@ void fill_deviations(const acquisition::ReadyModes& told,
     }
     const Eigen::Index n = mode.shape.size();
     if (n == 0) continue;
+    if (mode.shape.isZero(0.0)) {
+      mode.shape_sd.setOnes(n);  // never asked for
+      modes.warnings.push_back(
+          fmt::format("the shape of the mode at {:.6g} Hz is zero at all "
+                      "points: its frequency counts alone",
+                      mode.frequency_hz));
+      continue;
+    }
     const double own = 0.01 * told.shape_sd_percent * mode.shape.norm() /
                        std::sqrt(static_cast<double>(n));
     const bool unknown = mode.shape_sd.size() != n;

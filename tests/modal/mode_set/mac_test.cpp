@@ -69,6 +69,21 @@ TEST(Comac, IsOneWhereShapesAgreeInScaleAndSign) {
   EXPECT_LT(result(2), 0.99);
 }
 
+// Shapes that a laboratory scales one by one, also by a phase: their MAC is 1.
+TEST(Comac, IsOneInTheOthersScale) {
+  const Eigen::MatrixXcd V = random_shapes(6, 3, 5);
+  Eigen::MatrixXcd U = V;
+  U.col(0) *= std::complex<double>(0.0, 30.0);
+  U.col(1) *= -0.02;
+  EXPECT_LT(comac(U, V).minCoeff(), 0.9);
+  const Eigen::MatrixXcd scaled = in_scale_of(U, V);
+  EXPECT_LT((scaled - V).norm(), 1e-14 * V.norm());
+  EXPECT_NEAR(comac(scaled, V).minCoeff(), 1.0, 1e-14);
+  // A shape of nothing stays one.
+  U.col(2).setZero();
+  EXPECT_EQ(in_scale_of(U, V).col(2).norm(), 0.0);
+}
+
 TEST(MassWeightedMac, TellsApartWhatUnevenPointsConfuse) {
   // A free-free bar of five equal masses, orthonormal in the mass matrix; the
   // last point stands for most of the mass.

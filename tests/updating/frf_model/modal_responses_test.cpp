@@ -234,6 +234,31 @@ TEST(ModalData, HandPairsStandWhateverTheShapes) {
   EXPECT_EQ(by_hand[1].model, 1);
 }
 
+// All points at the nodes of a mode: no weight on its shape, and the partner
+// that is next in frequency.
+TEST(ModalData, OfAShapeOfNothingTheFrequencyCounts) {
+  modal::ModeSet set;
+  set.dofs = {{1, 3, 1}, {2, 3, 1}};
+  for (const double hz : {10.0, 20.0}) {
+    modal::Mode mode;
+    mode.frequency_hz = hz;
+    mode.frequency_sd_hz = 0.01 * hz;
+    mode.shape = Eigen::Vector2cd(1.0, 2.0);
+    mode.shape_sd = Eigen::Vector2d::Ones();
+    set.modes.push_back(mode);
+  }
+  set.modes[0].shape.setZero();
+  const ModalData data = modal_data(set);
+  EXPECT_TRUE(data.shape.col(0).isZero(0.0));
+  EXPECT_TRUE(data.shape_weight.col(0).isZero(0.0));
+  const Eigen::Vector3d omega = 2.0 * M_PI * Eigen::Vector3d(9.9, 20.1, 40.0);
+  MatrixXd at(2, 3);
+  at << 1.0, 1.0, 2.0, -1.0, 2.0, 1.0;
+  EXPECT_EQ(paired_modes(data, omega, at)[0].model, 0);
+  EXPECT_EQ(paired_modes(data, omega, at)[1].model, 1);
+  EXPECT_TRUE(foreign_modes(data, omega, at).empty());
+}
+
 TEST(ModalData, WeighsEachByItsOwnStandardDeviation) {
   modal::ModeSet set;
   set.dofs = {{1, 3, 1}, {2, 3, 1}};
