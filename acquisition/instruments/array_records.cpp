@@ -49,6 +49,18 @@ Index longest(const Arrays& all) {
   return samples;
 }
 
+// A name that belongs to the file, where several arrays may be channels.
+bool is_of_file(const Arrays& all,
+                const NamedArray& text,
+                const NamedArray& array) {
+  return text.texts.size() == 1 &&
+         text.name.find_first_of("/.:@") == std::string::npos &&
+         std::ranges::any_of(all, [&](const NamedArray& other) {
+           return &other != &array && other.samples() == array.samples() &&
+                  may_be_record(all, other);
+         });
+}
+
 // A list of texts of some kind: the array's own attribute, else one with as
 // many entries as it has columns, the nearest.
 std::vector<std::string> texts_beside(const Arrays& all,
@@ -67,6 +79,7 @@ std::vector<std::string> texts_beside(const Arrays& all,
     const auto alike = static_cast<std::size_t>(
         std::ranges::mismatch(text.name, array.name).in1 - text.name.begin());
     if (found != nullptr && alike <= shared) continue;
+    if (kind == UsualName::Names && is_of_file(all, text, array)) continue;
     found = &text;
     shared = alike;
   }

@@ -33,6 +33,25 @@ Eigen::MatrixXd both() {
   return values;
 }
 
+// As a TDMS file's own property "name", or an attribute of an HDF5 file.
+TEST(ArrayRecords, NameOfTheFileNamesNoChannel) {
+  const Arrays arrays{text("name", {"run 1"}),
+                      text("Group@name", {"first blow"}),
+                      numbers("Group/hammer 1Z+", one),
+                      numbers("Group/acc 3X", two),
+                      text("Group/acc 3X@unit_string", {"g"})};
+  const auto records = records_of_arrays(arrays);
+  ASSERT_EQ(records.size(), 2U);
+  EXPECT_EQ(records[0].name, "hammer 1Z+");
+  EXPECT_EQ(records[1].name, "acc 3X");
+  EXPECT_EQ(records[1].unit, "g");
+  // Of a file with one array it is the array's.
+  const auto alone =
+      records_of_arrays({text("name", {"acc 3X"}), numbers("x", one)});
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_EQ(alone[0].name, "acc 3X");
+}
+
 TEST(ArrayRecords, TestlabsStructures) {
   const Arrays arrays{
       number("Signal.x_values.start_value", 0.0),
