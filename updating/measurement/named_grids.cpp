@@ -36,14 +36,19 @@ bool is_a_unit(double scale) {
   });
 }
 
-// The points as they lie in the model, so far as axes and unit may be others.
-Matrix3Xd in_the_model(const Matrix3Xd& points,
+// What the coordinates are to be multiplied by; 1 where they are in the model's
+// unit, or in none.
+double unit_of(const Matrix3Xd& points, const Matrix3Xd& grids) {
+  if (points.cols() < 2) return 1.0;
+  const double scale = fit_pairs(points, grids).scale;
+  return is_a_unit(scale) ? scale : 1.0;
+}
+
+// The points as they lie in the model, so far as axes may be others.
+Matrix3Xd in_the_model(const Matrix3Xd& scaled,
                        const Matrix3Xd& grids,
                        const MeshSurface& surface) {
-  const bool few = points.cols() < 3 || on_a_line(points);
-  const RigidFit fit = fit_pairs(points, grids);
-  const double unit = is_a_unit(fit.scale) ? fit.scale : 1.0;
-  const Matrix3Xd scaled = unit * points;
+  const bool few = scaled.cols() < 3 || on_a_line(scaled);
   if (few || as_they_are(scaled, surface)) return scaled;
   const RigidFit moved = fit_pairs(scaled, grids);
   return (moved.rotation * scaled).colwise() + moved.translation;
@@ -76,8 +81,18 @@ void check_named_grids(const acquisition::TestBundle& bundle,
     grids.col(k) = deck.grids[deck.grid_index(label)].position;
   }
   const MeshSurface surface(deck);
+  const double unit = unit_of(points, grids);
   const Eigen::RowVectorXd off =
-      (in_the_model(points, grids, surface) - grids).colwise().norm();
+      (in_the_model(unit * points, grids, surface) - grids).colwise().norm();
+  if (unit != 1.0) {
+    deck.warnings.push_back(fmt::format(
+        "{}: its coordinates are {:.4g} times the model's and count "
+        "as another unit's; correct the unit of the file (dataset "
+        "164), or \"units\" of the deck in test.json, where that "
+        "is not so",
+        file.filename().string(),
+        1.0 / unit));
+  }
   Index worst = 0;
   Index elsewhere = 0;
   for (Index k = 0; k < n; ++k) {

@@ -10,7 +10,8 @@
 namespace tapfit::updating {
 
 /// Warns of points that lie elsewhere, as those of a mesh with numbers of its
-/// own do. Coordinates in another unit or other axes say nothing against it.
+/// own do, and of coordinates in another unit. Other axes say nothing against
+/// it.
 ///
 /// @param used numbers of the grids that something is hit or measured at
 /// @param deck in SI units; gains a warning

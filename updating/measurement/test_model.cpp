@@ -122,10 +122,16 @@ std::set<int> own_labels(const std::vector<Point>& points) {
   return labels;
 }
 
-std::set<int> grids_of(const std::vector<Point>& points) {
+// Also those at which the test has directions of its own.
+std::set<int> grids_of(const std::vector<Point>& points,
+                       const acquisition::TestBundle& bundle) {
   std::set<int> grids;
   for (const Point& point : points) {
     if (point.dof.node > 0) grids.insert(point.dof.node);
+  }
+  const std::set<int> own = own_labels(points);
+  for (const acquisition::TestPoint& point : bundle.points) {
+    if (point.node > 0 && own.contains(point.label)) grids.insert(point.node);
   }
   return grids;
 }
@@ -187,7 +193,7 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
         "modes is not known, and the floor is the noise alone");
   }
   const std::vector<Point> points = points_of(bundle);
-  check_named_grids(bundle, grids_of(points), deck);
+  check_named_grids(bundle, grids_of(points, bundle), deck);
   place_points(bundle, own_labels(points), deck);
   check_points(points, deck);
   warn_of_turned_supports(deck);

@@ -181,7 +181,7 @@ TEST_F(TestModel, RefusesAGridThatTheModelLacks) {
 class NamedGrids : public ::testing::Test {
  protected:
   std::vector<std::string> warnings(
-      const std::vector<std::array<double, 2>>& at) const {
+      const std::vector<std::array<double, 2>>& at, bool turned = false) const {
     std::string deck =
         "MAT1,1,7.0+10,,0.3,2700.\nPBAR,1,1,1.-4,1.-8,1.-8,1.-8\n";
     for (int k = 0; k < 5; ++k) {
@@ -190,12 +190,24 @@ class NamedGrids : public ::testing::Test {
     for (int k = 1; k < 5; ++k) {
       deck += fmt::format("CBAR,{0},1,{0},{1},0.,0.,1.\n", k, k + 1);
     }
-    std::string uff = "    -1\n  2411\n";
+    std::string uff;
+    if (turned) {
+      uff += "    -1\n  2420\n         1\nPart\n" +
+             fmt::format("{:10}{:10}{:10}\nCS7\n", 7, 0, 8);
+      const std::array<std::array<double, 3>, 4> rows{
+          {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, 0, 0}}};
+      for (const auto& row : rows) {
+        uff += fmt::format(
+            "{:25.16E}{:25.16E}{:25.16E}\n", row[0], row[1], row[2]);
+      }
+      uff += "    -1\n";
+    }
+    uff += "    -1\n  2411\n";
     for (std::size_t k = 0; k < at.size(); ++k) {
       uff += fmt::format("{:10}{:10}{:10}{:10}\n{:25.16E}{:25.16E}{:25.16E}\n",
                          k + 1,
                          0,
-                         0,
+                         turned ? 7 : 0,
                          11,
                          at[k][0],
                          at[k][1],
@@ -217,7 +229,7 @@ class NamedGrids : public ::testing::Test {
     bundle.modes = acquisition::ReadyModes{folder_.write("modes.uff", uff)};
     std::vector<std::string> found;
     for (const std::string& text : read_test_model(bundle).warnings) {
-      if (text.find("own coordinates") != std::string::npos) {
+      if (text.find("coordinates") != std::string::npos) {
         found.push_back(text);
       }
     }
@@ -238,7 +250,10 @@ TEST_F(NamedGrids, AreWhereTheFileHasThem) {
     moved.push_back({3.0 - y, 5.0 + x});  // and turned
   }
   EXPECT_TRUE(warnings(same).empty());
-  EXPECT_TRUE(warnings(millimetres).empty());
+  const std::vector<std::string> scaled = warnings(millimetres);
+  ASSERT_EQ(scaled.size(), 1U);
+  EXPECT_NE(scaled[0].find("are 1000 times the model's"), std::string::npos)
+      << scaled[0];
   EXPECT_TRUE(warnings(moved).empty());
   std::swap(same[1], same[4]);
   const std::vector<std::string> exchanged = warnings(same);
@@ -247,6 +262,17 @@ TEST_F(NamedGrids, AreWhereTheFileHasThem) {
       << exchanged[0];
   EXPECT_NE(exchanged[0].find("\"geometry\": \"modes.uff\""),
             std::string::npos);
+}
+
+// Points with axes of their own lie by their coordinates, too.
+TEST_F(NamedGrids, AreLookedForAtNodesWithAxesOfTheirOwn) {
+  std::vector<std::array<double, 2>> at;
+  for (int k = 0; k < 5; ++k) at.push_back({0.1 * k, 0.02 * k * k});
+  EXPECT_TRUE(warnings(at, true).empty());
+  std::swap(at[1], at[4]);
+  const std::vector<std::string> exchanged = warnings(at, true);
+  ASSERT_EQ(exchanged.size(), 1U);
+  EXPECT_NE(exchanged[0].find("2 of 5 points"), std::string::npos);
 }
 
 }  // namespace
