@@ -42,7 +42,8 @@ constexpr std::array types{
     InpType{Spring, 2, 2, "CBUSH1D", "SPRINGA"},
     InpType{Dashpot, 1, 1, "CDAMP2", "DASHPOT1"},
     InpType{Dashpot, 2, 2, "CDAMP2", "DASHPOT2"},
-    InpType{Dashpot, 2, 2, "CBUSH1D", "DASHPOTA"}};
+    InpType{Dashpot, 2, 2, "CBUSH1D", "DASHPOTA"},
+    InpType{Distributing, 1, 1, "MPC", "DCOUP3D"}};
 
 using Positions = std::vector<std::size_t>;
 

@@ -19,7 +19,8 @@ enum class InpFamily {
   Mass,
   RotaryInertia,
   Spring,
-  Dashpot
+  Dashpot,
+  Distributing  ///< the node that others lead by their mean
 };
 
 struct InpType {

@@ -168,8 +168,16 @@ void write_inp_elements(InpDeck& deck) {
         "which are stiffer in coarse meshes, and whose bars twist as if J were "
         "I11 + I22");
   }
+  if (std::ranges::any_of(deck.elements, [](const InpElement& e) {
+        return e.type_name == "C3D8";
+      })) {
+    deck.say(
+        "C3D8 bends freely here, as C3D8I does; that of CalculiX locks and is "
+        "stiffer where few of them are across a thickness");
+  }
   for (const InpElement& e : deck.elements) {
-    if (e.type == nullptr) continue;
+    // What follows others has its keyword read behind all elements.
+    if (e.type == nullptr || e.is(InpFamily::Distributing)) continue;
     if (e.property == 0) {
       fail_at(e.place,
               fmt::format("element {} ({}) has no section", e.id, e.type_name),

@@ -1,8 +1,9 @@
 // *RIGID BODY, *KINEMATIC COUPLING, *COUPLING with *KINEMATIC: RBE2; *COUPLING
-// with *DISTRIBUTING: RBE3.
+// with *DISTRIBUTING: RBE3; *DISTRIBUTING COUPLING: MPC.
 #include "updating/structure/abaqus/inp_deck.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace tapfit::structure {
 namespace {
@@ -134,6 +135,42 @@ void write_coupling(InpDeck& deck,
   deck.cards.card(coupling.place, "RBE3", fields);
 }
 
+// The element's node moves as the weighted mean of the others, without their
+// turning, as in CalculiX.
+void write_distributing_coupling(InpDeck& deck, const Keyword& keyword) {
+  refuse_turned(keyword);
+  const auto own = section_elements(deck, keyword, {InpFamily::Distributing});
+  if (own.size() != 1) {
+    keyword.fail(fmt::format("its set holds {} elements DCOUP3D", own.size()),
+                 "Name an ELSET of one, whose node the others lead.");
+  }
+  InpElement& element = deck.elements[own.front()];
+  element.property = 1;
+  std::vector<std::pair<int, double>> leads;
+  double sum = 0.0;
+  for (const DataLine& line : keyword.lines) {
+    const double weight = number_or(line, 1, 1.0, "weight");
+    for (const int node : deck.nodes_of(line.text(0), line.place)) {
+      leads.emplace_back(node, weight);
+      sum += weight;
+    }
+  }
+  if (!(sum > 0.0)) {
+    keyword.fail("its weights add up to nothing",
+                 "Name nodes with weights above zero.");
+  }
+  for (int dof = 1; dof <= 3; ++dof) {
+    std::vector<RelationTerm> terms{{element.nodes[0], dof, -1.0}};
+    for (const auto& [node, weight] : leads) {
+      terms.push_back({node, dof, weight / sum});
+    }
+    write_relation(deck, keyword.place, terms);
+  }
+  deck.say(keyword.place.where +
+           ": the node of *DISTRIBUTING COUPLING moves as the mean of the "
+           "others, as in CalculiX; Abaqus turns it with them");
+}
+
 }  // namespace
 
 void find_turning_nodes(InpDeck& deck) {
@@ -152,6 +189,15 @@ void write_inp_rigids(InpDeck& deck) {
   }
   for (const Keyword* keyword : deck.of("KINEMATICCOUPLING")) {
     write_kinematic_coupling(deck, *keyword);
+  }
+  for (const Keyword* keyword : deck.of("DISTRIBUTINGCOUPLING")) {
+    write_distributing_coupling(deck, *keyword);
+  }
+  for (const InpElement& e : deck.elements) {
+    if (!e.is(InpFamily::Distributing) || e.property != 0) continue;
+    fail_at(e.place,
+            fmt::format("element {} ({}) has no coupling", e.id, e.type_name),
+            "Name a set with it in *DISTRIBUTING COUPLING.");
   }
   const Keyword* coupling = nullptr;
   for (const Keyword& keyword : deck.keywords) {

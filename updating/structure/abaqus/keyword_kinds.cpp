@@ -25,7 +25,8 @@ const Names& read_keywords() {
       "MATERIAL ELASTIC DENSITY SOLIDSECTION SHELLSECTION SHELLGENERALSECTION "
       "MEMBRANESECTION NODALTHICKNESS BEAMSECTION BEAMGENERALSECTION "
       "MASS ROTARYINERTIA SPRING DASHPOT BOUNDARY EQUATION MPC RIGIDBODY "
-      "KINEMATICCOUPLING COUPLING KINEMATIC DISTRIBUTING TIE "
+      "KINEMATICCOUPLING COUPLING KINEMATIC DISTRIBUTING DISTRIBUTINGCOUPLING "
+      "TIE "
       "STEP ENDSTEP STATIC FREQUENCY COMPLEXFREQUENCY");
   return names;
 }
@@ -60,7 +61,7 @@ const std::vector<Lack>& lacks() {
        words("USERMATERIAL HYPERELASTIC HYPERFOAM CHANGEMATERIAL")},
       {"joints or supports are missing; use springs, *MPC or *COUPLING",
        words("CONNECTORSECTION FASTENER JOINT ITS FOUNDATION RELEASE LINK "
-             "DISTRIBUTINGCOUPLING INERTIARELIEF")},
+             "INERTIARELIEF")},
       {"mass is missing; put it into the density or into *MASS",
        words("NONSTRUCTURALMASS BEAMADDEDINERTIA")},
       {"nodes or elements are missing or elsewhere; write them out",
@@ -82,27 +83,46 @@ bool solves_for_modes(const Keyword& keyword) {
   return keyword.name == "FREQUENCY" || keyword.name == "COMPLEXFREQUENCY";
 }
 
-// A frequency step on top of a loaded state; a step without end.
-void warn_of_steps(InpDeck& deck) {
+bool is_load(const Keyword& keyword) {
+  static const Names loads =
+      words("CLOAD DLOAD DSLOAD TEMPERATURE BODYFORCE PRE-TENSIONSECTION");
+  return loads.contains(keyword.name);
+}
+
+// The stiffness of a loaded state, which modes on top of it have: CalculiX
+// takes it where their step is a perturbation, Abaqus where the loading one is
+// of large displacements.
+void leave_out_preload(InpDeck& deck) {
+  const Keyword* statics = nullptr;
   bool loaded = false;
+  bool large = false;
+  for (const Keyword& keyword : deck.keywords) {
+    if (keyword.step == 0 || keyword.step > deck.last_step) continue;
+    if (keyword.step < deck.last_step) {
+      if (keyword.name == "STATIC" && statics == nullptr) statics = &keyword;
+      loaded = loaded || is_load(keyword);
+      large = large || (keyword.name == "STEP" && keyword.has("NLGEOM") &&
+                        keyword.option("NLGEOM") != "NO");
+    } else if (keyword.name == "STEP") {
+      large = large || keyword.has("PERTURBATION");
+    }
+  }
+  if (statics == nullptr || !loaded || !large) return;
+  deck.leave_out("STATIC",
+                 statics->place,
+                 "the stiffness of the load before the modes is missing from "
+                 "the model, which is that without stress");
+}
+
+void warn_of_open_step(InpDeck& deck) {
   const Keyword* open = nullptr;
   for (const Keyword& keyword : deck.keywords) {
     if (keyword.name == "STEP") open = &keyword;
     if (keyword.name == "ENDSTEP") open = nullptr;
-    if (keyword.step == 0 || keyword.step > deck.last_step) continue;
-    const bool before = keyword.step < deck.last_step;
-    loaded = loaded || (before && keyword.name == "STATIC");
-    if (keyword.name == "STEP" && !before && loaded &&
-        keyword.has("PERTURBATION")) {
-      deck.say(keyword.place.where +
-               ": the state that the steps before it load is not taken: modes "
-               "are those of the structure without stress");
-    }
   }
-  if (open != nullptr) {
-    deck.say(open->place.where +
-             ": the step has no *END STEP; the deck may be cut off");
-  }
+  if (open == nullptr) return;
+  deck.say(open->place.where +
+           ": the step has no *END STEP; the deck may be cut off");
 }
 
 }  // namespace
@@ -135,7 +155,8 @@ void sort_keywords(InpDeck& deck) {
     deck.say("keywords that are not read, of loads, output or the like: " +
              names);
   }
-  warn_of_steps(deck);
+  leave_out_preload(deck);
+  warn_of_open_step(deck);
 }
 
 }  // namespace tapfit::structure

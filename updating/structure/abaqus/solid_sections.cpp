@@ -5,17 +5,40 @@ namespace tapfit::structure {
 namespace {
 
 // The system of a material that has directions; 0 for the deck's own.
-int material_axes(InpDeck& deck, const Keyword& keyword) {
+int material_axes(InpDeck& deck,
+                  const Keyword& keyword,
+                  const Eigen::Vector3d& at) {
   const std::string name = keyword.option("ORIENTATION");
   if (name.empty()) return 0;
   const InpOrientation& o =
       named_in(deck.orientations, name, "orientation", keyword.place);
   if (is_isotropic(deck, keyword.option("MATERIAL"))) return 0;
-  if (o.cylindrical) {
-    keyword.fail("a cylindrical orientation of a solid is not read",
-                 "Split the set into sectors with a rectangular one each.");
-  }
-  return write_axes(deck, o.axes(Eigen::Vector3d::Zero()), keyword.place);
+  return write_axes(deck, o.axes(at), keyword.place);
+}
+
+// Where the material's axes turn from element to element.
+bool turns(const InpDeck& deck, const Keyword& keyword) {
+  const std::string name = keyword.option("ORIENTATION");
+  return !name.empty() && !is_isotropic(deck, keyword.option("MATERIAL")) &&
+         named_in(deck.orientations, name, "orientation", keyword.place)
+             .cylindrical;
+}
+
+Eigen::Vector3d middle_of(const InpDeck& deck, const InpElement& e) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int id : e.nodes) sum += deck.node(id, e.place).at;
+  return sum / static_cast<double>(e.nodes.size());
+}
+
+void write_solids(InpDeck& deck,
+                  const Keyword& keyword,
+                  const std::vector<std::size_t>& solids,
+                  const Eigen::Vector3d& at) {
+  const int material =
+      material_card(deck, keyword.option("MATERIAL"), "MAT9", keyword.place);
+  const int system = material_axes(deck, keyword, at);
+  const int id = take_elements(deck, keyword, solids, "PSOLID");
+  deck.cards.card(keyword.place, "PSOLID", {id, material, system});
 }
 
 void write_solid_section(InpDeck& deck, const Keyword& keyword) {
@@ -32,11 +55,14 @@ void write_solid_section(InpDeck& deck, const Keyword& keyword) {
     const int id = take_elements(deck, keyword, trusses, "PROD");
     deck.cards.card(keyword.place, "PROD", {id, material, area});
   }
-  if (!solids.empty() || trusses.empty()) {
-    const int material = material_card(deck, name, "MAT9", keyword.place);
-    const int system = material_axes(deck, keyword);
-    const int id = take_elements(deck, keyword, solids, "PSOLID");
-    deck.cards.card(keyword.place, "PSOLID", {id, material, system});
+  if (!solids.empty() && turns(deck, keyword)) {
+    deck.say(keyword.place.where +
+             ": each element has the cylindrical axes of its middle");
+    for (const std::size_t k : solids) {
+      write_solids(deck, keyword, {k}, middle_of(deck, deck.elements[k]));
+    }
+  } else if (!solids.empty() || trusses.empty()) {
+    write_solids(deck, keyword, solids, Eigen::Vector3d::Zero());
   }
 }
 

@@ -276,12 +276,26 @@ TEST(BadInp, SystemsThatAreNotRead) {
                "SYSTEM is neither R nor C");
 }
 
-TEST(BadInp, LoadedStatesAreSaidToBeLeftOut) {
-  const std::string steps =
-      "*STEP, NLGEOM\n*STATIC\n*END STEP\n*STEP, PERTURBATION\n*FREQUENCY\n5\n"
-      "*END STEP\n";
-  EXPECT_TRUE(
-      warns(deck_of_inp(whole_brick + steps), "the structure without stress"));
+// The stiffness of a load before the modes is not known; a step that loads
+// nothing, or that modes do not stand on, changes none.
+TEST(BadInp, LoadedStatesAreRefused) {
+  const auto steps = [](const std::string& first,
+                        const std::string& load,
+                        const std::string& second) {
+    return "*STEP" + first + "\n*STATIC\n" + load + "*END STEP\n*STEP" +
+           second + "\n*FREQUENCY\n5\n*END STEP\n";
+  };
+  const std::string load = "*CLOAD\n7, 1, 5.\n";
+  for (const std::string& text :
+       {steps("", load, ", PERTURBATION"), steps(", NLGEOM", load, "")}) {
+    expect_error(whole_brick + text, "plate.inp", "stiffness of the load");
+    EXPECT_TRUE(
+        warns(deck_of_inp(whole_brick + text, {"STATIC"}), "STATIC (line"));
+  }
+  for (const std::string& text :
+       {steps(", NLGEOM", "", ", PERTURBATION"), steps("", load, "")}) {
+    EXPECT_FALSE(warns(deck_of_inp(whole_brick + text), "STATIC"));
+  }
 }
 
 // What is missing may come from what is not read.

@@ -98,6 +98,53 @@ TEST(InpSolids, DistributingCouplingIsAMean) {
   EXPECT_TRUE(warns(deck, "count alike"));
 }
 
+// By the definition: u = sum w u_k / sum w in each of three directions.
+TEST(InpSolids, DistributingCouplingOfAnElementIsAWeightedMean) {
+  Block block;
+  block.more_nodes = reference_nodes;
+  const std::vector<int>& tip = bricks({}).tip;
+  block.more =
+      load_at_tip + "*ELEMENT, TYPE=DCOUP3D, ELSET=D\n9500, 9001\n" +
+      fmt::format(
+          "*DISTRIBUTING COUPLING, ELSET=D\n{}, 1.\n{}, 3.\n", tip[0], tip[1]);
+  const Deck deck = deck_of_inp(text_of(block));
+  ASSERT_EQ(deck.relations.size(), 3U);
+  for (int k = 0; k < 3; ++k) {
+    const Relation& mean = deck.relations[static_cast<std::size_t>(k)];
+    EXPECT_EQ(mean.grid, 9001);
+    EXPECT_EQ(mean.component, k + 1);
+    ASSERT_EQ(mean.terms.size(), 2U);
+    EXPECT_NEAR(mean.terms[0].factor, 0.25, 1e-12);
+    EXPECT_NEAR(mean.terms[1].factor, 0.75, 1e-12);
+  }
+  EXPECT_TRUE(warns(deck, "as in CalculiX"));
+}
+
+// Two bricks side by side about the z axis: x of the first's middle is at 0
+// degrees, of the second's at 90.
+TEST(InpSolids, CylindricalAxesAreThoseOfEachElement) {
+  const Deck deck = deck_of_inp(
+      "*NODE\n1, 1., -1., 0.\n2, 2., -1., 0.\n3, 2., 1., 0.\n4, 1., 1., 0.\n"
+      "5, 1., -1., 1.\n6, 2., -1., 1.\n7, 2., 1., 1.\n8, 1., 1., 1.\n"
+      "11, -1., 1., 0.\n12, 1., 1., 0.\n13, 1., 2., 0.\n14, -1., 2., 0.\n"
+      "15, -1., 1., 1.\n16, 1., 1., 1.\n17, 1., 2., 1.\n18, -1., 2., 1.\n"
+      "*ELEMENT, TYPE=C3D8, ELSET=V\n1, 1, 2, 3, 4, 5, 6, 7, 8\n"
+      "2, 11, 12, 13, 14, 15, 16, 17, 18\n"
+      "*ORIENTATION, NAME=O, SYSTEM=CYLINDRICAL\n0., 0., 0., 0., 0., 1.\n"
+      "*SOLID SECTION, ELSET=V, MATERIAL=M, ORIENTATION=O\n"
+      "*MATERIAL, NAME=M\n*ELASTIC, TYPE=ENGINEERING CONSTANTS\n"
+      "1.4e11, 1e10, 1e10, .3, .3, .4, 5e9, 5e9,\n3e9\n*DENSITY\n1600.\n");
+  ASSERT_EQ(deck.solids.size(), 2U);
+  const auto radial = [&](std::size_t k) {
+    return Eigen::Vector3d(
+        deck.solid_properties.at(deck.solids[k].property).axes.col(0));
+  };
+  EXPECT_LT((radial(0) - Eigen::Vector3d::UnitX()).norm(), 1e-12);
+  EXPECT_LT((radial(1) - Eigen::Vector3d::UnitY()).norm(), 1e-12);
+  EXPECT_TRUE(warns(deck, "axes of its middle"));
+  EXPECT_TRUE(warns(deck, "C3D8 bends freely"));
+}
+
 TEST(InpSolids, EquationsAlongTransformedAxes) {
   const BrickText b = bricks({});
   Block block;
