@@ -18,7 +18,11 @@ std::set<int> used(const Elements& elements) {
 }
 
 std::string lacks(const ShellProperty& p) {
-  if (p.panel || !p.plies.empty()) return {};
+  if (p.panel) return {};
+  if (!p.plies.empty()) {
+    if (p.bending_ratio > 0.0) return {};
+    return "LAM = MEM, the elements do not resist bending";
+  }
   if (p.membrane == 0 && p.bending == 0) {
     return "neither MID1 nor MID2, the elements have no stiffness";
   }

@@ -108,6 +108,16 @@ ShellSection laminate_section(const Deck& deck,
   if (section.coupling.norm() < 1e-12 * t * section.membrane.norm()) {
     section.coupling.setZero();
   }
+  if (p.shear_ratio == 0.0) {
+    section.coupling.setZero();
+    section.bending = section.membrane * t * t / 12.0;
+    section.shear_compliance.setZero();
+  }
+  if (p.bending_ratio == 0.0) {
+    section.coupling.setZero();
+    section.bending.setZero();
+    section.shear_compliance.setZero();
+  }
   return section;
 }
 

@@ -4,6 +4,7 @@
 //
 // Source: MSC Nastran Quick Reference Guide, PBARL, PBEAML; W. C. Young,
 // Roark's Formulas for Stress and Strain, 7th ed., tables 9.2 and 10.1.
+#include "updating/structure/readers/closed_sections.hpp"
 #include "updating/structure/readers/deck_builder.hpp"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace tapfit::structure {
 namespace {
 
 using std::numbers::pi;
-
-using Dimensions = std::vector<double>;
 
 // J = a b^3 (1/3 - 0.21 b/a (1 - b^4/(12 a^4))), a >= b.
 double rectangle_torsion(double w, double h) {
@@ -59,40 +58,6 @@ BarProperty box(double w, double h, double t1, double t2) {
         (w * t2 + h * t1 - t2 * t2 - t1 * t1);
   p.K1 = 2.0 * h * t2 / p.area;
   p.K2 = 2.0 * w * t1 / p.area;
-  return p;
-}
-
-// A rectangle of a section: along element z and y, its centre.
-struct Plate {
-  double width, height, y, z;
-};
-
-// @param shear_y, shear_z the shear centre, in the plates' axes
-BarProperty composed(const std::vector<Plate>& plates,
-                     double shear_y,
-                     double shear_z) {
-  BarProperty p;
-  double first_y = 0.0;
-  double first_z = 0.0;
-  for (const Plate& r : plates) {
-    const double area = r.width * r.height;
-    p.area += area;
-    first_y += area * r.y;
-    first_z += area * r.z;
-  }
-  const double y0 = first_y / p.area;
-  const double z0 = first_z / p.area;
-  for (const Plate& r : plates) {
-    const double area = r.width * r.height;
-    p.I1 += area * (r.height * r.height / 12.0 + std::pow(r.y - y0, 2));
-    p.I2 += area * (r.width * r.width / 12.0 + std::pow(r.z - z0, 2));
-    p.I12 += area * (r.y - y0) * (r.z - z0);
-    p.J += std::max(r.width, r.height) *
-           std::pow(std::min(r.width, r.height), 3) / 3.0;
-  }
-  // Of a symmetric section, rounding.
-  if (std::abs(p.I12) < 1e-12 * (p.I1 + p.I2)) p.I12 = 0.0;
-  p.neutral = {y0 - shear_y, z0 - shear_z};
   return p;
 }
 
@@ -230,27 +195,6 @@ BarProperty hat(const Dimensions& d) {
   return p;
 }
 
-// d: width, height, thickness of top, bottom, left and right wall.
-// J by Bredt: 4 A^2 / integral ds/t, or that of the open section where a wall
-// is as thin as nothing.
-BarProperty box1(const Dimensions& d) {
-  const double side = d[1] - d[2] - d[3];
-  BarProperty p = composed({{d[0], d[2], d[1] - d[2] / 2.0, d[0] / 2.0},
-                            {d[0], d[3], d[3] / 2.0, d[0] / 2.0},
-                            {d[4], side, d[3] + side / 2.0, d[4] / 2.0},
-                            {d[5], side, d[3] + side / 2.0, d[0] - d[5] / 2.0}},
-                           0.0,
-                           0.0);
-  p.neutral.setZero();
-  const double w = d[0] - 0.5 * (d[4] + d[5]);
-  const double h = d[1] - 0.5 * (d[2] + d[3]);
-  p.J = std::max(
-      p.J, 4.0 * w * w * h * h / (w / d[2] + w / d[3] + h / d[4] + h / d[5]));
-  p.K1 = (d[4] + d[5]) * d[1] / p.area;
-  p.K2 = (d[2] + d[3]) * d[0] / p.area;
-  return p;
-}
-
 // d: width of a pointed end, total width, height.
 BarProperty hexagon(const Dimensions& d) {
   const double flat = d[1] - 2.0 * d[0];
@@ -331,6 +275,19 @@ const std::map<std::string, Shape>& shapes() {
       {"H", {4, [](D d) { return d[3] < d[2]; }, h_beam}},
       {"HAT",
        {4, [](D d) { return 2.0 * d[1] < d[0] && 2.0 * d[1] < d[2]; }, hat}},
+      {"HAT1",
+       {5,
+        [](D d) {
+          return d[3] + d[4] < d[1] && 2.0 * d[3] < d[2] && d[2] <= d[0];
+        },
+        hat1}},
+      {"DBOX",
+       {10,
+        [](D d) {
+          return d[6] + d[7] < d[1] && d[8] + d[9] < d[1] &&
+                 d[3] + d[4] / 2.0 < d[2] && d[2] + d[4] / 2.0 + d[5] < d[0];
+        },
+        double_box}},
       {"HEXA", {3, [](D d) { return 2.0 * d[0] < d[1]; }, hexagon}}};
   return known_shapes;
 }

@@ -1,4 +1,4 @@
-// Matrices that Nastran writes by OUTPUT4 as text.
+// Matrices that Nastran writes by OUTPUT4, as text or binary.
 //
 // A head (columns, rows, form, type, name, format of the numbers), then per
 // column its number, first row and length, and its numbers; sparse columns have
@@ -15,12 +15,13 @@
 
 namespace tapfit::structure {
 
-/// Whether the file begins with the head of a matrix.
+/// Whether the file begins with the head of a matrix, text or binary.
 [[nodiscard]] bool is_output4(const std::filesystem::path& path);
 
 /// The matrix whose name begins with a letter, or the only one of the file.
 /// @param letter 'K' or 'M'
-/// @throws InputError with file and line for anything but a real, square one
+/// @throws InputError with file and, of text, line for anything but a real,
+/// square one
 [[nodiscard]] SparseMatrix read_output4(const std::filesystem::path& path,
                                         char letter);
 

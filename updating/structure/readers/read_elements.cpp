@@ -53,17 +53,22 @@ double mean_thickness(DeckBuilder& builder,
                       const Shell& shell,
                       std::size_t first,
                       std::size_t flag) {
-  const double own = builder.deck.shell_properties.at(shell.property).thickness;
+  double& own = builder.deck.shell_properties.at(shell.property).thickness;
   // TFLAG: what they give is a share of the property's.
   const bool relative = card.text(flag) == "1";
   double sum = 0.0;
   bool any = false;
   for (std::size_t i = 0; i < shell.grids.size(); ++i) {
+    const double t = card.real_or(first + i, 0.0, "T");
+    if (own == 0.0 && t == 0.0) {
+      card.fail(fmt::format("neither it nor PSHELL {} has a thickness",
+                            shell.property),
+                "Give T of the property, or T1 and so on of all corners.");
+    }
     if (card.blank(first + i)) {
       sum += own;
       continue;
     }
-    const double t = card.real(first + i, "T");
     if (t == 0.0) return 0.0;  // as some programs write blanks
     if (!(t > 0.0)) {
       card.fail(fmt::format("the corner thickness {} is below zero", t),
@@ -73,6 +78,8 @@ double mean_thickness(DeckBuilder& builder,
     any = true;
   }
   const double mean = sum / static_cast<double>(shell.grids.size());
+  // A property without any has that of its first element.
+  if (own == 0.0) own = mean;
   return any && mean != own ? mean : 0.0;
 }
 

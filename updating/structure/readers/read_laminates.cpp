@@ -55,11 +55,20 @@ void read_laminate(DeckBuilder& builder,
   const std::string kind = upper(card.text(8));
   if (kind == "SYM") {
     p.plies.insert(p.plies.end(), p.plies.rbegin(), p.plies.rend());
+  } else if (kind == "MEM") {
+    p.bending_ratio = 0.0;
+  } else if (kind == "SMEAR") {
+    p.shear_ratio = 0.0;
   } else if (!kind.empty()) {
-    builder.warn(card, fmt::format("LAM = {} is taken as blank", kind));
+    card.fail(fmt::format("LAM = {} is not supported: the stiffness of its "
+                          "plies would be another one",
+                          kind),
+              "Leave it blank, use SYM, MEM or SMEAR, or give the section by a "
+              "PSHELL.");
   }
   for (const Ply& ply : p.plies) p.thickness += ply.thickness;
-  p.bottom = card.real_or(2, -0.5 * p.thickness, "Z0");
+  const double middle = -0.5 * p.thickness;
+  p.bottom = kind == "SMEAR" ? middle : card.real_or(2, middle, "Z0");
   p.nonstructural = card.real_or(3, 0.0, "NSM");
   if (!(p.nonstructural >= 0.0)) {
     card.fail("NSM is below zero", "Give a value of zero or more.");

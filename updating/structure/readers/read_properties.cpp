@@ -20,13 +20,14 @@ void refuse_no_thickness(const CardReader& card, double thickness) {
 void read_pshell(DeckBuilder& builder, const CardReader& card) {
   auto p = defined_by<ShellProperty>(builder, card, "PSHELL");
   p.membrane = card.integer_or(2, 0, "MID1");
-  p.thickness = card.real(3, "T");
+  // Blank where each element has its own.
+  p.thickness = card.real_or(3, 0.0, "T");
   p.bending = card.integer_or(4, 0, "MID2");
   p.bending_ratio = card.real_or(5, 1.0, "12I/T**3");
   p.shear = card.integer_or(6, 0, "MID3");
   p.shear_ratio = card.real_or(7, 5.0 / 6.0, "TS/T");
   p.nonstructural = card.real_or(8, 0.0, "NSM");
-  refuse_no_thickness(card, p.thickness);
+  if (!card.blank(3)) refuse_no_thickness(card, p.thickness);
   if (!(p.bending_ratio >= 0.0 && p.shear_ratio >= 0.0 &&
         p.nonstructural >= 0.0)) {
     card.fail("12I/T**3, TS/T or NSM is below zero",
@@ -106,10 +107,17 @@ void read_psolid(DeckBuilder& builder, const CardReader& card) {
   builder.deck.solid_properties[p.id] = p;
 }
 
+// A number above zero, or YES as OptiStruct has it.
+bool is_on(const CardReader& card, const char* name) {
+  const std::string word = upper(card.text(2));
+  if (word == "YES" || word == "NO") return word == "YES";
+  return card.integer(2, name) > 0;
+}
+
 void read_param(DeckBuilder& builder, const CardReader& card) {
   const std::string name = upper(card.text(1));
   if (name == "COUPMASS") {
-    builder.deck.coupled_mass = card.integer(2, "COUPMASS") > 0;
+    builder.deck.coupled_mass = is_on(card, "COUPMASS");
   } else if (name == "WTMASS") {
     builder.deck.weight_to_mass = card.real(2, "WTMASS");
     if (builder.deck.weight_to_mass <= 0.0) {

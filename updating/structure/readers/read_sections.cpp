@@ -80,12 +80,24 @@ BarProperty checked_section(const CardReader& card,
   return *p;
 }
 
+// Of a DBOX what is blank is as thick as another wall.
+double dimension(const CardReader& card,
+                 const std::string& type,
+                 std::size_t field,
+                 const std::vector<double>& before) {
+  const std::size_t k = before.size();
+  if (type == "DBOX" && k >= 4 && card.blank(field)) {
+    return before[k < 8 ? 3 : 5];
+  }
+  return card.real(field, "DIM");
+}
+
 void read_pbarl(DeckBuilder& builder, const CardReader& card) {
   const std::string type = section_type(card);
   const std::size_t count = section_dimensions(type);
   std::vector<double> dimensions;
   for (std::size_t i = 0; i < count; ++i) {
-    dimensions.push_back(card.real(9 + i, "DIM"));
+    dimensions.push_back(dimension(card, type, 9 + i, dimensions));
   }
   BarProperty p = checked_section(card, type, dimensions);
   // A CBAR's force acts where its section turns.
@@ -245,7 +257,7 @@ void read_pbeaml(DeckBuilder& builder, const CardReader& card) {
     std::vector<double> dimensions;
     for (std::size_t i = 0; i < count; ++i) {
       dimensions.push_back(stations.empty()
-                               ? card.real(at + i, "DIM")
+                               ? dimension(card, type, at + i, dimensions)
                                : card.real_or(at + i, first[i], "DIM"));
     }
     if (stations.empty()) first = dimensions;

@@ -105,9 +105,54 @@ TEST(Sections, MomentsAreThoseOfTheirOutline) {
         return within(y, 0, 1) && within(z, 0, 0.8) &&
                !(within(y, 0.2, 0.9) && within(z, 0.1, 0.6));
       });
+  // Its plate 0.1 thick and 1.1 wide, the hat 0.2 thick.
+  expect_section("HAT1", {1.1, 0.8, 0.7, 0.2, 0.1}, [&](double y, double z) {
+    return (within(y, 0, 0.1) && abs(z) < 0.55) ||
+           (within(y, 0.6, 0.8) && abs(z) < 0.35) ||
+           (within(y, 0.1, 0.6) && within(abs(z), 0.15, 0.35)) ||
+           (within(y, 0.1, 0.3) && within(abs(z), 0.35, 0.55));
+  });
+  // Walls upright 0.1, 0.2, 0.3 thick, lying left 0.1 and 0.2, right 0.2 and
+  // 0.3; the middle one stands about z = 0.6.
+  expect_section("DBOX",
+                 {1.4, 1.0, 0.6, 0.1, 0.2, 0.3, 0.1, 0.2, 0.2, 0.3},
+                 [](double y, double z) {
+                   return within(y, 0, 1) && within(z, 0, 1.4) &&
+                          !(within(y, 0.2, 0.9) && within(z, 0.1, 0.5)) &&
+                          !(within(y, 0.3, 0.8) && within(z, 0.7, 1.1));
+                 });
   expect_section("HEXA", {0.2, 0.9, 0.6}, [&](double y, double z) {
     return abs(y) < 0.3 && abs(z) < 0.45 - 0.2 * abs(y) / 0.3;
   });
+}
+
+// Of alike cells the wall between them has no shear flow: Bredt's J of the box
+// around both. A hat without feet on a plate is a box.
+TEST(Sections, ClosedCellsTwistByBredt) {
+  const std::vector<double> two(7, 0.01);
+  std::vector<double> dimensions{0.6, 0.3, 0.3};
+  dimensions.insert(dimensions.end(), two.begin(), two.end());
+  const auto both = section_of("DBOX", dimensions);
+  const auto around = section_of("BOX1", {0.6, 0.3, 0.01, 0.01, 0.01, 0.01});
+  ASSERT_TRUE(both && around);
+  EXPECT_NEAR(both->J, around->J, 1e-12 * around->J);
+  const auto hat = section_of("HAT1", {0.4, 0.3, 0.4, 0.01, 0.02});
+  const auto box = section_of("BOX1", {0.4, 0.3, 0.01, 0.02, 0.01, 0.01});
+  ASSERT_TRUE(hat && box);
+  EXPECT_NEAR(hat->J, box->J, 1e-12 * box->J);
+  EXPECT_NEAR(hat->area, box->area, 1e-12);
+}
+
+// DIM5 to DIM8 are DIM4 where they are blank, DIM9 and DIM10 are DIM6.
+TEST(Sections, WallsOfADoubleBoxHaveDefaults) {
+  const std::string deck =
+      "GRID,1,,0.,0.,0.\nGRID,2,,1.,0.,0.\nMAT1,1,7.+10,,.3,2700.\n"
+      "CBAR,6,2,1,2,0.,0.,1.\nPBARL,2,1,,DBOX\n";
+  const Deck blank = deck_of(deck + ",.6,.3,.3,.01,,.02\n");
+  const Deck full = deck_of(deck + ",.6,.3,.3,.01,.01,.02,.01,.01\n,.02,.02\n");
+  EXPECT_DOUBLE_EQ(blank.bar_properties.at(2).J, full.bar_properties.at(2).J);
+  EXPECT_DOUBLE_EQ(blank.bar_properties.at(2).area,
+                   full.bar_properties.at(2).area);
 }
 
 const std::string beam =
