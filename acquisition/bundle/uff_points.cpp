@@ -9,16 +9,21 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 
 namespace tapfit::acquisition {
 namespace {
 
-// Those behind are points of the test's own in a file of tapfit's.
+// A table's label.
 bool is_node_label(int label) {
   return label >= 1 && node_of_uff_label(label) == label;
 }
+
+// Behind the last label are points of the test's own in a file of tapfit's
+// (uff_label), by the numbers that they have there.
+int own_number(int label) { return std::abs(node_of_uff_label(label)); }
 
 InputError no_label(const std::string& said,
                     const std::filesystem::path& file) {
@@ -34,10 +39,20 @@ TestGeometry geometry_of_uff(const std::filesystem::path& path) {
       file.bytes.reading([&] { return read_uff_mesh(file.datasets); });
   TestGeometry result;
   for (const auto& [label, unused] : mesh.geometry.nodes) {
-    if (!is_node_label(label)) throw no_label(std::to_string(label), path);
-    result.nodes[label] = mesh.length_m * position_of(mesh.geometry, label);
+    if (label < 1) throw no_label(std::to_string(label), path);
+    const int number = own_number(label);
+    const Eigen::Vector3d at =
+        mesh.length_m * position_of(mesh.geometry, label);
+    if (!result.nodes.try_emplace(number, at).second) {
+      throw InputError(
+          fmt::format(
+              "nodes {} and {} are both point {}", number, label, number),
+          path.filename().string(),
+          "take \"geometry\" out of test.json: labels above 100000000 are "
+          "points with coordinates of their own, the others grids");
+    }
     const Eigen::Matrix3d axes = directions_at(mesh.geometry, label);
-    if (!axes.isIdentity(1e-12)) result.directions[label] = axes;
+    if (!axes.isIdentity(1e-12)) result.directions[number] = axes;
   }
   return result;
 }
@@ -97,7 +112,7 @@ void take_directions(const std::filesystem::path& uff, TestGeometry& geometry) {
   const UffGeometry own =
       file.bytes.reading([&file] { return read_geometry(file.datasets); });
   for (const auto& [label, unused] : own.nodes) {
-    geometry.directions[label] = directions_at(own, label);
+    geometry.directions[own_number(label)] = directions_at(own, label);
   }
 }
 

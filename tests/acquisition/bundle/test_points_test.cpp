@@ -282,10 +282,26 @@ TEST_F(TestMesh, NodesOfTheFrfsKeepTheAxesOfTheirFile) {
   }
 }
 
-// Labels from 100000001 on are points of the test's own.
+// Labels from 100000001 on are points of the test's own, as tapfit writes them.
+TEST_F(TestMesh, PointsThatTapfitWroteComeBack) {
+  folder_.write("measured.uff", turned_node(100'000'009, 30.0));
+  document_["geometry"] = json::object();
+  document_.erase("runs");
+  document_["frfs"] = "measured.uff";
+  const TestBundle bundle = read_now();
+  const TestPoint* point = find_point(bundle.points, 9);
+  ASSERT_NE(point, nullptr);
+  EXPECT_EQ(point->of_node, 9);
+  const Vector3d along(std::sqrt(0.75), 0.5, 0.0);
+  EXPECT_TRUE(point->axes.col(0).isApprox(along, 1e-5));
+  folder_.write("measured.uff",
+                turned_node(100'000'009, 30.0) + turned_node(9, 0.0));
+  refuses_geometry("measured.uff", "nodes 9 and 100000009 are both point 9");
+}
+
 TEST_F(TestMesh, LabelsThatAreNoneAreRefused) {
   document_["geometry"] = {{"file", "mesh.uff"}};
-  for (const int label : {0, -3, 100'000'001}) {
+  for (const int label : {0, -3}) {
     folder_.write("mesh.uff", turned_node(label, 0.0));
     refuses_geometry("mesh.uff", "no label of a point");
   }
