@@ -182,6 +182,11 @@ void add_command(CLI::App& app,
                         options.ignored_cards,
                         "Leaves cards of this name out, though they carry "
                         "stiffness, mass or a constraint");
+    command
+        ->add_option("--units",
+                     options.units,
+                     "Of the deck, in place of the bundle's or SI")
+        ->check(CLI::IsMember({"SI", "mm-t-s", "in-lbf-s"}));
   }
   if (has(Node)) {
     command->add_option("NODE", options.node, "Grid id; none for a map of all")

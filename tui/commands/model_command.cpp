@@ -8,6 +8,7 @@
 #include "updating/structure/assembly/deck_modes.hpp"
 #include "updating/structure/checks/material_checks.hpp"
 #include "updating/structure/deck/deck.hpp"
+#include "updating/structure/readers/scale_units.hpp"
 #include "updating/structure/solve/system.hpp"
 
 #include <fmt/format.h>
@@ -32,6 +33,7 @@ structure::Deck read_any_model(const CommandOptions& options) {
   const std::filesystem::path& input = options.input;
   if (!std::filesystem::is_directory(input)) {
     structure::Deck deck = structure::read_deck(input, options.ignored_cards);
+    structure::scale_to_si(deck, options.units);
     for (std::string& text : structure::material_unit_warnings(deck)) {
       deck.warnings.push_back(std::move(text));
     }
@@ -41,6 +43,7 @@ structure::Deck read_any_model(const CommandOptions& options) {
   bundle.ignored_cards.insert(bundle.ignored_cards.end(),
                               options.ignored_cards.begin(),
                               options.ignored_cards.end());
+  if (!options.units.empty()) bundle.units = options.units;
   return updating::read_test_model(bundle);
 }
 

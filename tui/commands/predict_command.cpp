@@ -80,6 +80,10 @@ modal::ModeSet modes_after(const CommandOptions& options,
   return open_by_hand(after, progress).modes(progress);
 }
 
+std::string predicted_title(const acquisition::TestBundle& bundle) {
+  return bundle.title.empty() ? "predicted" : bundle.title + ", predicted";
+}
+
 }  // namespace
 
 std::string predict_command(const CommandOptions& options,
@@ -99,7 +103,7 @@ std::string predict_command(const CommandOptions& options,
   const updating::Prediction prediction = session.predict(changes, progress);
   if (options.uff) {
     signal::write_frfs_uff(prediction.frfs,
-                           session.bundle().title + ", predicted",
+                           predicted_title(session.bundle()),
                            *options.uff,
                            output_rule(session.bundle(), options),
                            signal::FrfForm::Accelerance,

@@ -105,10 +105,11 @@ struct CommandOptions {
   std::string lambda;  ///< a number or "l-curve"; empty: not asked for
   int modes = 10;      ///< of the model
   std::vector<std::string> ignored_cards;  ///< of a deck, left out knowingly
-  int node = 0;                            ///< grid id
-  double mass_kg = 0.0;                    ///< of a free body; 0: not said
-  bool robustness = false;                 ///< how firm the verdict is, too
-  double speed = 0.0;  ///< of a replay, times real time; 0: all it can
+  std::string units;        ///< of a deck; empty: the bundle's, or SI
+  int node = 0;             ///< grid id
+  double mass_kg = 0.0;     ///< of a free body; 0: not said
+  bool robustness = false;  ///< how firm the verdict is, too
+  double speed = 0.0;       ///< of a replay, times real time; 0: all it can
   FrfArguments frf;
   ImportArguments imports;
   PaperArguments paper;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace tapfit::tui {
@@ -45,6 +46,12 @@ ordered_json laid_over_json(const structure::LaidOver& laid) {
           {"rms_m", laid.rms_m}};
 }
 
+// A tenth of a millimetre, without a sign where it is none.
+std::string coordinate(double x) {
+  const double digits = std::round(1e4 * x);
+  return fmt::format("{:.4f}", digits == 0.0 ? 0.0 : 1e-4 * digits);
+}
+
 }  // namespace
 
 std::string point_places_text(const structure::Deck& deck) {
@@ -61,9 +68,9 @@ std::string point_places_text(const structure::Deck& deck) {
     const Eigen::Vector3d& at =
         deck.grids[deck.grid_index(point.grid)].position;
     table.add({node_name(point.grid),
-               fmt::format("{:.4f}", at.x()),
-               fmt::format("{:.4f}", at.y()),
-               fmt::format("{:.4f}", at.z()),
+               coordinate(at.x()),
+               coordinate(at.y()),
+               coordinate(at.z()),
                point.on,
                fmt::format("{:.2f}", 1e3 * point.off),
                fmt::format("{}", point.nearest),

@@ -2,6 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/catalogue/catalogue.hpp"
+#include "updating/catalogue/place_text.hpp"
 #include "updating/effects/point_effect.hpp"
 #include "updating/effects/prestress.hpp"
 #include "updating/places/held_support.hpp"
@@ -13,42 +14,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <optional>
 
 namespace tapfit::updating {
 
 namespace {
-
-// Joined by ":", or by "," as places are told.
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  while (begin <= text.size()) {
-    const std::size_t end =
-        std::min(text.find_first_of(":,", begin), text.size());
-    parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
-// The numbers of "60:56", or nothing where it is no such list.
-std::vector<int> numbers_in(const std::string& text) {
-  std::vector<int> numbers;
-  for (const std::string& part : parts_of(text)) {
-    const bool digits =
-        !part.empty() && part.size() < 10 &&
-        std::all_of(part.begin(), part.end(), [](unsigned char c) {
-          return std::isdigit(c) != 0;
-        });
-    if (!digits) return {};
-    numbers.push_back(std::stoi(part));
-  }
-  return numbers;
-}
-
-bool is_grid(const std::string& part) { return !numbers_in(part).empty(); }
 
 // Whose place is told by names, which may be numbers too.
 bool sits_on_channels(const effects::Effect& effect) {
@@ -311,6 +281,10 @@ EffectRef parse_effect(const std::string& text) {
     if (end == std::string::npos) return ref;
     place.resize(end);
   }
+  if (const int point = effect.sits_at_grid() ? test_point_in(place) : 0) {
+    ref.where.node = -point;
+    return ref;
+  }
   check_grid(effect, place, text);
   const std::vector<int> numbers =
       sits_on_channels(effect) ? std::vector<int>{} : numbers_in(place);
@@ -353,7 +327,7 @@ EffectInstance place_effect(const EffectRef& ref,
                             const effects::TestContext& s) {
   const effects::Effect& effect = effects::find(ref.effect);
   const auto kind = effect.changes_stiffness();
-  Location want = ref.where;
+  Location want = on_the_mesh(ref, s);
   if (is_along_axis(want) && effects::component_of(want, s) == s.component) {
     want.variant.clear();
   }

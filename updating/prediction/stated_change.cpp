@@ -22,9 +22,11 @@ struct SizeUnit {
   double si;
 };
 
-constexpr std::array<SizeUnit, 13> size_units{{{"_kg", "kg", 1.0},
+constexpr std::array<SizeUnit, 15> size_units{{{"_kg", "kg", 1.0},
                                                {"_kg", "g", 1e-3},
                                                {"_kg", "mg", 1e-6},
+                                               {"_kg", "lb", 0.45359237},
+                                               {"_kg", "oz", 0.45359237 / 16},
                                                {"_n_per_m", "N/m", 1.0},
                                                {"_n_per_m", "N/mm", 1e3},
                                                {"_n_per_m", "kN/m", 1e3},

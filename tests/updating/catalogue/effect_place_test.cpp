@@ -50,6 +50,30 @@ TEST_F(EffectPlace, FormsAreThoseThatTheEffectHas) {
             std::string::npos);
 }
 
+// A point with coordinates is a place like a grid: at that, or beside it.
+TEST_F(EffectPlace, APointOfTheTestIsOne) {
+  structure::MeasuringPoint point;
+  point.grid = -2;
+  point.nearest = 30;
+  point.foot = deck_.grid(30).position;
+  deck_.measuring.push_back(point);
+  point.grid = -3;
+  point.foot = 0.7 * deck_.grid(30).position + 0.3 * deck_.grid(31).position;
+  point.to_grid = (point.foot - deck_.grid(30).position).norm();
+  deck_.measuring.push_back(point);
+  const EffectInstance at_grid =
+      place_effect(parse_effect("added-mass@P2"), context_);
+  EXPECT_EQ(at_grid.where.node, 30);
+  EXPECT_TRUE(at_grid.where.at.empty());
+  const EffectInstance between =
+      place_effect(parse_effect("added-mass@P3"), context_);
+  EXPECT_EQ(between.where.node, 30);
+  ASSERT_EQ(between.where.at.size(), 3U);
+  EXPECT_DOUBLE_EQ(between.where.at[1], point.foot.y());
+  EXPECT_NE(refusal("added-mass@P9").find("the test has no point P9"),
+            std::string::npos);
+}
+
 TEST_F(EffectPlace, SupportsTakeTheirFormsAlongALine) {
   const std::vector<int> clamp = {1, 12, 23, 34, 45};
   for (const char* form :
