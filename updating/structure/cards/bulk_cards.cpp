@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -143,7 +145,11 @@ BulkData read_bulk_data(const std::filesystem::path& path) {
   result.warnings = std::move(source.warnings);
   CardJoiner joiner(result.cards);
   for (const SourceLine& line : source.bulk) joiner.add(line);
-  add_case_changes(result);
+  std::set<std::string> names;
+  for (const Card& card : result.cards) names.insert(card.name());
+  CaseChanges changes = case_changes(result.control, names);
+  std::ranges::move(changes.left_out, std::back_inserter(result.left_out));
+  std::ranges::move(changes.warnings, std::back_inserter(result.warnings));
   return result;
 }
 

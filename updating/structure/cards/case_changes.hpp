@@ -3,12 +3,22 @@
 // dynamic responses.
 #pragma once
 
-#include "updating/structure/cards/bulk_cards.hpp"
+#include "updating/structure/abaqus/left_out.hpp"
+#include "updating/structure/cards/case_control.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
 
 namespace tapfit::structure {
 
-/// Puts what the model lacks into left_out, and what modes do not see though
-/// it looks like it into warnings.
-void add_case_changes(BulkData& bulk);
+struct CaseChanges {
+  std::vector<LeftOut> left_out;      ///< what the model lacks
+  std::vector<std::string> warnings;  ///< what only looks as if
+};
+
+/// @param cards names of those that the deck has
+[[nodiscard]] CaseChanges case_changes(const CaseControl& control,
+                                       const std::set<std::string>& cards);
 
 }  // namespace tapfit::structure

@@ -166,7 +166,8 @@ TEST(AskedFor, ScalarPointIsHeldWithoutAWord) {
     const Deck deck = deck_of("SPOINT,1,2\nCELAS4,3,10.,1,2\nCMASS4,4,1.,2\n" +
                               fmt::format("SPC1,1,{},1\n", component));
     EXPECT_TRUE(deck.warnings.empty()) << component;
-    EXPECT_EQ(deck.constraints.size(), 1U);
+    EXPECT_EQ(deck.constraints.back().grid, 1);
+    EXPECT_EQ(deck.constraints.back().components, "1");
   }
 }
 

@@ -213,7 +213,7 @@ TEST(ReadDeck, SaysWhatIsWrongAndWhere) {
   expect(plate + "CDAMP2,9,-2.,1,3\n", "drives the structure");
   expect(plate + "PBUSH,7,B,-2.\nCBUSH,9,7,1,,,,,0\n", "drives the structure");
   expect(plate + "CBAR,9,2,1,2,1.,0.,0.\nPBAR,2,1,1.,1.,1.\n", "along the bar");
-  expect(plate + "PBARL,2,1,,DBOX\n,1.,1.\n", "DBOX");
+  expect(plate + "PBARL,2,1,,GBOX\n,1.,1.\n", "GBOX");
   expect(plate + "INCLUDE 'absent.inc'\n", "cannot open");
   // A file whose reading fails, as on a broken disk: nothing is at its start.
   expect(plate + "INCLUDE '/proc/self/mem'\n", "cannot be read to its end");

@@ -113,13 +113,13 @@ TEST(Sections, MomentsAreThoseOfTheirOutline) {
            (within(y, 0.1, 0.3) && within(abs(z), 0.35, 0.55));
   });
   // Walls upright 0.1, 0.2, 0.3 thick, lying left 0.1 and 0.2, right 0.2 and
-  // 0.3; the middle one stands about z = 0.6.
+  // 0.3; the middle one stands about 0.6 from the left, at z = -0.7.
   expect_section("DBOX",
                  {1.4, 1.0, 0.6, 0.1, 0.2, 0.3, 0.1, 0.2, 0.2, 0.3},
                  [](double y, double z) {
-                   return within(y, 0, 1) && within(z, 0, 1.4) &&
-                          !(within(y, 0.2, 0.9) && within(z, 0.1, 0.5)) &&
-                          !(within(y, 0.3, 0.8) && within(z, 0.7, 1.1));
+                   return within(y, 0, 1) && within(z, -0.7, 0.7) &&
+                          !(within(y, 0.2, 0.9) && within(z, -0.6, -0.2)) &&
+                          !(within(y, 0.3, 0.8) && within(z, 0.0, 0.4));
                  });
   expect_section("HEXA", {0.2, 0.9, 0.6}, [&](double y, double z) {
     return abs(y) < 0.3 && abs(z) < 0.45 - 0.2 * abs(y) / 0.3;
