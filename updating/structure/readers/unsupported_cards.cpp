@@ -70,8 +70,7 @@ bool is_unchosen(const std::string& name, const CaseControl& control) {
 
 std::string consequence(const std::string& name) {
   if (name.starts_with("=")) {
-    return "what it repeats is missing from the model; write the cards out, as "
-           "Nastran does with ECHO = PUNCH, and preprocessors";
+    return "the cards that it repeats are missing from the model";
   }
   if (name.starts_with("RB") || name.starts_with("RROD") ||
       name.starts_with("RTRPLT") || name.starts_with("RS") ||
@@ -180,7 +179,8 @@ UnsupportedCards unsupported_cards(const BulkData& bulk,
         is_default_card(card.name())) {
       continue;
     }
-    Unknown& seen = unknown[card.name()];
+    // "=19" repeats what "=" does.
+    Unknown& seen = unknown[card.name().starts_with("=") ? "=" : card.name()];
     if (seen.count++ == 0) {
       seen.line = card.line;
       seen.where = card.where;
@@ -233,10 +233,13 @@ void refuse_needed(const UnsupportedCards& cards,
   throw InputError(
       text,
       left.front()->where,
-      fmt::format("Write it with cards that are read, or leave it out "
-                  "knowingly: \"ignore_cards\": [\"{0}\"] in test.json, "
-                  "--ignore-card {0} of tapfit model.",
-                  without_blanks(left.front()->name)));
+      left.front()->name == "="
+          ? "Write the repeated cards out: Nastran does with ECHO = PUNCH, and "
+            "preprocessors when they write a deck."
+          : fmt::format("Write it with cards that are read, or leave it out "
+                        "knowingly: \"ignore_cards\": [\"{0}\"] in test.json, "
+                        "--ignore-card {0} of tapfit model.",
+                        without_blanks(left.front()->name)));
 }
 
 }  // namespace tapfit::structure
