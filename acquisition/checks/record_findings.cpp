@@ -97,9 +97,9 @@ Finding drift_finding(const TestBundle& bundle, const Records& records) {
       worst(records, [](const ChannelRecord& r) { return r.drift / r.level; });
   return {Severity::Warning,
           subject_of(bundle, records),
-          fmt::format("its zero moves from hit to hit by {:.2g} % of the "
+          fmt::format("its zero moves from hit to hit by {} % of the "
                       "response",
-                      100.0 * record.drift / record.level),
+                      in_digits(100.0 * record.drift / record.level, 2)),
           "a sensor that warms up, a loose connector or a charge amplifier "
           "that drifts",
           "begin band_hz above the lowest lines, or measure again with a "

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -72,6 +73,20 @@ void sort_by_severity(std::vector<Finding>& findings) {
   std::ranges::stable_sort(findings, [](const Finding& a, const Finding& b) {
     return a.severity > b.severity;
   });
+}
+
+std::string in_digits(double value, int digits) {
+  if (value == 0.0 || !std::isfinite(value)) return fmt::format("{}", value);
+  const double behind = digits - 1.0 - std::floor(std::log10(std::abs(value)));
+  if (std::abs(behind) > 12.0) return fmt::format("{:.{}g}", value, digits);
+  if (behind <= 0.0) {
+    const double step = std::pow(10.0, -behind);
+    return fmt::format("{:.0f}", std::round(value / step) * step);
+  }
+  std::string text = fmt::format("{:.{}f}", value, static_cast<int>(behind));
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text;
 }
 
 }  // namespace tapfit

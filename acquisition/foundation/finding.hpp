@@ -49,4 +49,7 @@ void append(std::vector<Finding> more, std::vector<Finding>& all);
 /// Errors first, then warnings, then notes; otherwise in their order.
 void sort_by_severity(std::vector<Finding>& findings);
 
+/// A number in so many digits without a power of ten: "3200", "0.0042".
+[[nodiscard]] std::string in_digits(double value, int digits);
+
 }  // namespace tapfit

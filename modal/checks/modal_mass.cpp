@@ -1,5 +1,6 @@
 #include "modal/checks/modal_mass.hpp"
 
+#include "acquisition/foundation/unit_slips.hpp"
 #include "acquisition/samples/statistics.hpp"
 #include "modal/checks/modal_constants.hpp"
 #include "modal/checks/run_poles.hpp"
@@ -7,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 
@@ -20,20 +20,23 @@ using Eigen::VectorXd;
 constexpr double far = 20.0;         // of z m from 1: no structure explains it
 constexpr double far_apart = 100.0;  // two sensors of one test
 
-struct Known {
-  double factor;
-  const char* words;
-};
+// Of z m, which is 16 at the corners of plates and less near supports: the
+// units that leave a factor within it, in brackets; empty for none.
+std::string units_behind(double factor) {
+  constexpr double most_of_structure = 16.0;
+  constexpr double least_of_structure = 1.0 / 3.0;
+  const std::string units = acquisition::units_between(
+      factor / most_of_structure, factor / least_of_structure);
+  return units.empty() ? units : " (" + units + ")";
+}
 
-constexpr std::array<Known, 7> factors{{
-    {4.448, "lbf for N"},
-    {9.807, "g for m/s^2, or kgf for N"},
-    {25.4, "in for mm"},
-    {39.37, "in for m"},
-    {386.1, "g for in/s^2"},
-    {1000.0, "kN for N, mm for m, or mV for V"},
-    {9807.0, "g for mm/s^2"},
-}};
+// Between two sensors either may be the one that moves more.
+std::string units_between_sensors(double factor) {
+  constexpr double either = 3.0;
+  const std::string units =
+      acquisition::units_between(factor / either, factor * either);
+  return units.empty() ? units : " (" + units + ")";
+}
 
 std::string hammer_name(const acquisition::TestBundle& bundle) {
   return bundle.channels.at(bundle.runs.front().hammer.channel).name;
@@ -46,20 +49,19 @@ Finding against_mass(const acquisition::TestBundle& bundle,
   const bool all = sizes.size() > 1;
   const std::string who = all ? std::string("the sensors")
                               : bundle.channels.at(sizes.front().channel).name;
-  const std::string unit = unit_factor(factor, 3.0);
   return {Severity::Error,
           {{}, all ? std::string() : who, {}, {}},
-          fmt::format("the resonances of {} are those of a mass of {:.2g} kg; "
+          fmt::format("the resonances of {} are those of a mass of {} kg; "
                       "the structure has {:.3g} kg",
                       who,
-                      mass_kg / factor,
+                      in_digits(mass_kg / factor, 2),
                       mass_kg),
-          fmt::format("{} against {} reads about {:.2g} times too {}: a unit{}",
+          fmt::format("{} against {} reads about {} times too {}: a unit{}",
                       who,
                       hammer_name(bundle),
-                      factor > 1.0 ? factor : 1.0 / factor,
+                      in_digits(factor > 1.0 ? factor : 1.0 / factor, 2),
                       factor > 1.0 ? "much" : "little",
-                      unit.empty() ? std::string() : " (" + unit + ")"),
+                      units_behind(factor)),
           fmt::format("check unit, sensitivity and sensitivity_unit of {} and "
                       "{} in test.json",
                       all ? std::string("all sensors") : who,
@@ -70,33 +72,20 @@ Finding against_others(const acquisition::TestBundle& bundle,
                        const ChannelSize& one,
                        double factor) {
   const std::string& who = bundle.channels.at(one.channel).name;
-  const std::string unit = unit_factor(factor, 3.0);
   return {Severity::Warning,
           {{}, who, {}, {}},
-          fmt::format("its resonances are {:.2g} times as {} as those of the "
+          fmt::format("its resonances are {} times as {} as those of the "
                       "other sensors",
-                      factor > 1.0 ? factor : 1.0 / factor,
+                      in_digits(factor > 1.0 ? factor : 1.0 / factor, 2),
                       factor > 1.0 ? "high" : "low"),
           fmt::format("a unit{}, or a place where the structure hardly moves",
-                      unit.empty() ? std::string() : " (" + unit + ")"),
+                      units_between_sensors(factor)),
           fmt::format("check unit, sensitivity and sensitivity_unit of {} in "
                       "test.json",
                       who)};
 }
 
 }  // namespace
-
-std::string unit_factor(double factor, double within) {
-  const double size = factor > 1.0 ? factor : 1.0 / factor;
-  std::string words;
-  for (const Known& known : factors) {
-    const double off = size / known.factor;
-    if (off > within || off < 1.0 / within) continue;
-    words += fmt::format(
-        "{}{:.4g}: {}", words.empty() ? "" : "; ", known.factor, known.words);
-  }
-  return words;
-}
 
 std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
                                        const ModeSet& modes) {

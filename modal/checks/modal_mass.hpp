@@ -34,8 +34,4 @@ struct ChannelSize {
     const ModeSet& modes,
     double mass_kg);
 
-/// "1000 (k for none, or mV for V)": what the nearest factors between units are
-/// called; empty where none lies within a factor of `within`.
-[[nodiscard]] std::string unit_factor(double factor, double within);
-
 }  // namespace tapfit::modal

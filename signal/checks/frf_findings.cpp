@@ -1,5 +1,6 @@
 #include "signal/checks/frf_findings.hpp"
 
+#include "acquisition/foundation/unit_slips.hpp"
 #include "acquisition/samples/statistics.hpp"
 #include "signal/checks/shared_factor.hpp"
 
@@ -158,7 +159,9 @@ Finding driving_point_finding(const TestBundle& bundle,
                       100.0 * point.active_share),
           "one channel lags behind the other, or the sensor is not where the "
           "hammer hit",
-          "tapfit calibrate on a free mass gives the delay"};
+          "correct the point in test.json, or give both channels the same "
+          "filter and converter; the diagnosis takes a delay in as "
+          "channel-delay"};
 }
 
 Finding differing_pair(const TestBundle& bundle,
@@ -193,7 +196,15 @@ Finding differing_pair(const TestBundle& bundle,
     finding.likely =
         "one of the two sensitivities is off by it, or the hammer's in one of "
         "the two runs";
-    finding.remedy = "tapfit calibrate on a free mass says which";
+    const std::string unit = acquisition::channel_slip(std::abs(pair.gain));
+    if (!unit.empty()) finding.likely += ": a unit or range (" + unit + ")";
+    finding.remedy = unit.empty()
+                         ? "tapfit calibrate on a free mass says which"
+                         : fmt::format(
+                               "check unit, sensitivity and "
+                               "sensitivity_unit of {} and {} in test.json",
+                               channel_of(bundle, a),
+                               channel_of(bundle, b));
   } else {
     finding.what = fmt::format("{} differ by {:.3g} %, whatever the factor",
                                both,
@@ -220,6 +231,7 @@ Finding factor_finding(const TestBundle& bundle, const SharedFactor& shared) {
       shared.run < bundle.runs.size()
           ? bundle.channels[bundle.runs[shared.run].hammer.channel].name
           : "the hammer";
+  const std::string unit = acquisition::channel_slip(shared.factor);
   return {Severity::Warning,
           {{shared.run}, who, {}, name(shared.point)},
           fmt::format("{} paths from {} to other points differ from the way "
@@ -228,16 +240,21 @@ Finding factor_finding(const TestBundle& bundle, const SharedFactor& shared) {
                       name(shared.point),
                       shared.factor),
           fmt::format("of the sensitivities that of {} is off by it, or that "
-                      "of {} in run {}{}",
+                      "of {} in run {}{}{}",
                       who,
                       hammer,
                       shared.run + 1,
+                      unit.empty() ? unit : ": a unit or range (" + unit + ")",
                       shared.factor < most_across
                           ? fmt::format(", or {} measures across the direction "
                                         "written down",
                                         who)
                           : std::string()),
-          "tapfit calibrate on a free mass says whether it is the sensor"};
+          unit.empty()
+              ? "tapfit calibrate on a free mass says whether it is the sensor"
+              : fmt::format("check unit, sensitivity and sensitivity_unit of "
+                            "{} in test.json",
+                            who)};
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // inches, a range switch a decade off, or velocity where acceleration is meant.
 // Its FRFs are multiplied by a known factor, or by s to a power. In one run
 // only, with those of its placement, where the range was changed there.
+#include "acquisition/foundation/unit_slips.hpp"
 #include "updating/effects/sensor_channels.hpp"
 #include "updating/set_up/mistakes.hpp"
 #include "updating/set_up/sheet_mistake.hpp"
@@ -13,44 +14,41 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 namespace tapfit::effects {
 namespace {
 
 // What a channel reads, times what it should: factor s^power.
-struct UnitSlip {
+struct ReadSlip {
   std::string name;
   double factor = 1.0;
   int power = 0;
 };
 
 // Units that are taken for each other, and their quotients: pounds at grams,
-// g at inches. An amplifier's ranges are 10 dB or 20 dB apart.
-std::vector<UnitSlip> all_slips() {
-  const std::vector<std::pair<const char*, double>> units = {
-      {"1000", 1000.0},      // kN, milli
-      {"9.807", 9.80665},    // m/s^2 in a g, N in a kgf
-      {"4.448", 4.4482216},  // N in a lbf
-      {"386.1", 386.0886},   // in/s^2 in a g
-      {"25.4", 25.4}};       // mm in an inch
-  std::vector<UnitSlip> slips;
+// g at inches; an amplifier's ranges.
+std::vector<ReadSlip> all_slips() {
+  const std::span<const acquisition::UnitSlip> units =
+      acquisition::unit_slips();
+  std::vector<ReadSlip> slips;
   const auto add = [&slips](const std::string& name, double factor) {
     // Some quotients are the same: 386.1 / 9.807 = 1000 / 25.4.
-    const bool known = std::ranges::any_of(slips, [&](const UnitSlip& other) {
+    const bool known = std::ranges::any_of(slips, [&](const ReadSlip& other) {
       return std::abs(other.factor / factor - 1.0) < 1e-4;
     });
     if (known) return;
     slips.push_back({name, factor, 0});
     slips.push_back({"1/" + name, 1.0 / factor, 0});
   };
-  for (const auto& [name, factor] : units) add(name, factor);
-  add("10", 10.0);
-  add("100", 100.0);
-  add("3.162", std::sqrt(10.0));
+  for (const auto& unit : units) add(unit.name, unit.factor);
+  for (const auto& step : acquisition::range_steps()) {
+    add(step.name, step.factor);
+  }
   for (std::size_t a = 0; a < units.size(); ++a) {
     for (std::size_t b = a + 1; b < units.size(); ++b) {
-      const auto& [one, f] = units[a];
-      const auto& [other, g] = units[b];
+      const double f = units[a].factor;
+      const double g = units[b].factor;
       add(fmt::format("{:.4g}", f * g), f * g);
       const double ratio = std::max(f, g) / std::min(f, g);
       add(fmt::format("{:.4g}", ratio), ratio);
@@ -62,19 +60,19 @@ std::vector<UnitSlip> all_slips() {
   return slips;
 }
 
-const std::vector<UnitSlip>& slips() {
-  static const std::vector<UnitSlip> all = all_slips();
+const std::vector<ReadSlip>& slips() {
+  static const std::vector<ReadSlip> all = all_slips();
   return all;
 }
 
 std::vector<std::string> slip_names() {
   std::vector<std::string> names;
-  for (const UnitSlip& slip : slips()) names.push_back(slip.name);
+  for (const ReadSlip& slip : slips()) names.push_back(slip.name);
   return names;
 }
 
-const UnitSlip& slip_of(const Location& where) {
-  const auto found = std::ranges::find(slips(), where.variant, &UnitSlip::name);
+const ReadSlip& slip_of(const Location& where) {
+  const auto found = std::ranges::find(slips(), where.variant, &ReadSlip::name);
   assert(found != slips().end());
   return *found;
 }
@@ -129,7 +127,7 @@ class UnitFactor final : public SheetMistake {
           quantity_of(channel.channels.front(), sheet);
       const std::vector<std::vector<int>> averages =
           averaged_runs(channel, sheet);
-      for (const UnitSlip& slip : slips()) {
+      for (const ReadSlip& slip : slips()) {
         if (slip.power != 0 && !motion_behind(written, slip.power)) continue;
         whole.push_back(channel);
         whole.back().variant = slip.name;
@@ -147,7 +145,7 @@ class UnitFactor final : public SheetMistake {
   }
 
   std::vector<Fixed> fixed(const Location& where) const override {
-    const UnitSlip& slip = slip_of(where);
+    const ReadSlip& slip = slip_of(where);
     if (slip.power != 0) return {};
     return {{"factor", slip.factor}};
   }
@@ -161,7 +159,7 @@ class UnitFactor final : public SheetMistake {
   std::complex<double> law(std::complex<double> s,
                            const std::vector<double>&,
                            std::size_t group) const override {
-    const UnitSlip& slip = slips().at(group / 2);
+    const ReadSlip& slip = slips().at(group / 2);
     const std::complex<double> read = slip.factor * std::pow(s, slip.power);
     return group % 2 == 0 ? read : 1.0 / read;
   }
@@ -172,7 +170,7 @@ class UnitFactor final : public SheetMistake {
                const acquisition::TestBundle&,
                acquisition::TestBundle& sheet) const override {
     if (!where.runs.empty()) return;
-    const UnitSlip& slip = slip_of(where);
+    const ReadSlip& slip = slip_of(where);
     for (acquisition::Channel& channel : sheet.channels) {
       if (std::ranges::find(where.channels, channel.name) ==
           where.channels.end()) {

@@ -100,6 +100,16 @@ TEST(FrfFindings, AWrongSensitivityShowsByItsFactor) {
   EXPECT_TRUE(says(heavy, "1Z+ / 1Z+ (acc1)")) << text(heavy);
 }
 
+TEST(FrfFindings, AFactorOfAUnitIsNamedAsOne) {
+  GeneratedTest test = generate_structure(hung_beam(), noisy(3));
+  for (auto& recording : test.recordings) {
+    recording.samples.col(2) /= 9.80665;
+  }
+  const Looked all = look(test);
+  EXPECT_TRUE(says(all.both_ways, "9.807: g for m/s^2")) << text(all.both_ways);
+  EXPECT_FALSE(says(all.both_ways, "tapfit calibrate"));
+}
+
 TEST(FrfFindings, SwappedChannelsShowAtTheDrivingPoints) {
   GeneratedTest test = generate_structure(hung_beam(), noisy(4));
   for (auto& recording : test.recordings) {
