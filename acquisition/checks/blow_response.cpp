@@ -16,7 +16,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr Index shortest_window = 16;
-constexpr Index samples_for_baseline = 4096;
 
 struct Windows {
   Index before = 0;  // first samples
@@ -42,8 +41,11 @@ Windows windows_of(const HitSet& hits,
   return windows;
 }
 
-double power(const Eigen::Ref<const VectorXd>& x, double baseline) {
-  return (x.array() - baseline).square().mean();
+// About the window's own line: what drifts is no noise.
+double power(const Eigen::Ref<const VectorXd>& x) {
+  const VectorXd t = VectorXd::LinSpaced(x.size(), -1.0, 1.0);  // of mean zero
+  const double slope = t.dot(x) / t.squaredNorm();
+  return (x.array() - x.mean() - slope * t.array()).square().mean();
 }
 
 std::vector<BlowResponse> responses_in(const TestBundle& bundle,
@@ -53,12 +55,11 @@ std::vector<BlowResponse> responses_in(const TestBundle& bundle,
   std::vector<BlowResponse> found;
   for (const Placement& sensor : bundle.runs[run].sensors) {
     const auto x = recording.samples.col(static_cast<Index>(sensor.channel));
-    const double baseline = median(thinned(x, samples_for_baseline));
     for (std::size_t k = 0; k < hits.runs[run].size(); ++k) {
       const Windows w = windows_of(hits, hits.runs[run], k, x.size());
       if (w.length < shortest_window || w.before < 0) continue;
-      const double before = power(x.segment(w.before, w.length), baseline);
-      const double after = power(x.segment(w.after, w.length), baseline);
+      const double before = power(x.segment(w.before, w.length));
+      const double after = power(x.segment(w.after, w.length));
       constexpr double tiny = std::numeric_limits<double>::min();
       found.push_back(
           {run, sensor.channel, k, (after + tiny) / (before + tiny)});
