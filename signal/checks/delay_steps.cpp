@@ -26,9 +26,7 @@ class Steps {
 
   /// Delays are what hits differ by, and hits have an FRF in common.
   [[nodiscard]] bool are_delays() const {
-    if (of_.sd_s.size() == 0 || of_.alike.minCoeff() < limits_.alike) {
-      return false;
-    }
+    if (of_.sd_s.size() == 0 || common_share() < limits_.alike) return false;
     const double explained = of_.before - of_.after;
     const double most_left =
         std::max(limits_.left * of_.before, limits_.left_times * of_.expected);
@@ -72,6 +70,13 @@ class Steps {
   }
 
  private:
+  // The least that a hit has in common with the others. Of n hits that have
+  // nothing in common each is 1 / n of what they average to.
+  [[nodiscard]] double common_share() const {
+    const double chance = 1.0 / static_cast<double>(of_.alike.size());
+    return (of_.alike.minCoeff() - chance) / (1.0 - chance);
+  }
+
   // Of a hit's delay against its neighbours', of which few are steps: half of
   // all differences are no more than that.
   [[nodiscard]] double scatter() const {

@@ -29,7 +29,8 @@ struct DelayStepLimits {
   double left_times = 2.0;
   /// rms of what parts of the band want otherwise, in shares of the step.
   double parts_differ = 0.35;
-  double alike = 0.3;  ///< share of a hit that must be the common FRF
+  /// Share of a hit that must be the common FRF, beyond its own part of that.
+  double alike = 0.3;
   Eigen::Index fewest_for_drift = 4;
   double off_line = 0.1;  ///< share of the delays' squares beside the line
   /// Of a drift, the largest step between two hits.

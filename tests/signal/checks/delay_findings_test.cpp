@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
 #include <string>
 
 namespace tapfit::signal {
@@ -47,6 +48,23 @@ TEST(DelayFindings, CleanHitsHaveNone) {
     const GeneratedTest test = plain_beam(seed);
     for (const std::size_t run : {0U, 1U}) {
       EXPECT_TRUE(changes_of(test, run).findings.empty()) << seed;
+    }
+  }
+}
+
+// Of a cable that is off hits share what chance and the search for a delay make
+// of so few.
+TEST(DelayFindings, NoiseAloneHasNone) {
+  for (const int hits : {2, 3, 4, 6}) {
+    for (unsigned seed = 1; seed <= 30; ++seed) {
+      GeneratedOptions options = six_hits(seed);
+      options.hits = hits;
+      GeneratedTest test = generate_structure(hung_beam(), options);
+      std::mt19937 engine(seed);
+      std::normal_distribution<double> noise(0.0, 1e-5);
+      auto x = test.recordings[1].samples.col(2);
+      for (double& value : x) value = noise(engine);
+      EXPECT_TRUE(changes_of(test, 1).findings.empty()) << hits << " " << seed;
     }
   }
 }
