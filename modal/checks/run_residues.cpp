@@ -95,6 +95,24 @@ struct Change {
   }
 };
 
+// Runs that differ and are the first or the last of their set-up show one
+// change; a single one may as well be odd by itself. Empty for others.
+std::string changed_once(const SensorSetUp& set_up,
+                         const std::vector<std::size_t>& runs) {
+  const std::vector<std::size_t>& all = set_up.runs;
+  if (runs.size() < 2 || runs.size() >= all.size()) return {};
+  const auto count = static_cast<std::ptrdiff_t>(runs.size());
+  std::size_t from = 0;
+  if (std::equal(runs.begin(), runs.end(), all.begin())) {
+    from = all[runs.size()];
+  } else if (std::equal(runs.begin(), runs.end(), all.end() - count)) {
+    from = runs.front();
+  } else {
+    return {};
+  }
+  return fmt::format("; it changed once, from run {} on", from + 1);
+}
+
 Finding gain_finding(const acquisition::TestBundle& bundle,
                      const SensorSetUp& set_up,
                      const Change& change) {
@@ -106,6 +124,7 @@ Finding gain_finding(const acquisition::TestBundle& bundle,
   const double factor = std::abs(pattern.factor);
   const bool turned = pattern.factor.real() < 0.0;
   const bool one_mode = change.in_one_mode_only();
+  const std::string once = changed_once(set_up, change.runs);
   std::string cause =
       turned && std::abs(factor - 1.0) < 0.1
           ? either + " was turned over in these runs"
@@ -127,12 +146,13 @@ Finding gain_finding(const acquisition::TestBundle& bundle,
   return {Severity::Error,
           {change.runs, who, {}, {}},
           fmt::format("{} against {} is {}{:.3g} times what it is in the other "
-                      "runs, in {}",
+                      "runs, in {}{}",
                       who,
                       other,
                       turned ? "minus " : "",
                       factor,
-                      one_mode ? "the one mode that tells" : "every mode"),
+                      one_mode ? "the one mode that tells" : "every mode",
+                      once),
           std::move(cause),
           fmt::format("list {} a second time in `channels` with {:.4g} times "
                       "the sensitivity and use that channel in these runs, or "
@@ -203,15 +223,27 @@ Finding moved_finding(const acquisition::TestBundle& bundle,
   return {Severity::Error,
           {change.runs, {}, {}, {}},
           fmt::format("what {} show of each mode differs from the other runs "
-                      "by {:.2g} %, mode by mode another way",
+                      "by {:.2g} %, mode by mode another way{}",
                       names,
-                      100.0 * most),
+                      100.0 * most,
+                      changed_once(set_up, change.runs)),
           fmt::format("{} sat at another point or along another direction in "
                       "these runs",
                       set_up.channels.size() == 2
                           ? "one of the two"
                           : std::string("one of the sensors")),
           "correct `sensors` of these runs in test.json, or take them out"};
+}
+
+// Of two sensors what one has too much the other has too little: as one on the
+// first of them.
+SensorPattern on_first(const SensorSetUp& set_up, SensorPattern of) {
+  if (set_up.channels.size() != 2 || of.sensor == 0) return of;
+  of.sensor = 0;
+  of.factor = 1.0 / of.factor;
+  of.law.power = -of.law.power;
+  of.law.delay_s = -of.law.delay_s;
+  return of;
 }
 
 bool same_factor(const SensorPattern& a, const SensorPattern& b) {
@@ -239,8 +271,9 @@ std::vector<Finding> findings_in(const acquisition::TestBundle& bundle,
     Change* change = &moved;
     if (one_factor) {
       const auto same =
-          std::ranges::find_if(by_factor, [&p](const Change& other) {
-            return same_factor(other.patterns.front(), p);
+          std::ranges::find_if(by_factor, [&](const Change& other) {
+            return same_factor(on_first(set_up, other.patterns.front()),
+                               on_first(set_up, p));
           });
       change = same != by_factor.end() ? &*same : &by_factor.emplace_back();
     }
