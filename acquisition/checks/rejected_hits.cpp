@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <ranges>
 #include <utility>
 
 namespace tapfit::acquisition {
@@ -106,31 +107,52 @@ std::pair<std::string, std::string> way_out(HitFault fault) {
   return {};
 }
 
-Finding rejected_finding(const TestBundle& bundle,
-                         std::size_t run,
-                         const Recording& recording,
-                         const HitSet& hits,
-                         Severity severity) {
+/// Runs whose hits are judged out for the same reasons.
+struct Rejected {
+  std::vector<std::size_t> runs;
+  std::size_t hits = 0;
   std::map<HitFault, int> counts;
-  for (const Hit& hit : hits.runs[run]) {
-    for (const HitFault fault : faults_of(hit)) ++counts[fault];
+  std::string clipped;  ///< channels that overload
+
+  [[nodiscard]] bool is_like(const Rejected& other) const {
+    return clipped == other.clipped &&
+           std::ranges::equal(std::views::keys(counts),
+                              std::views::keys(other.counts));
   }
+};
+
+Rejected rejected_run(const TestBundle& bundle,
+                      std::size_t run,
+                      const Recording& recording,
+                      const HitSet& hits) {
+  Rejected found{{run}, hits.runs[run].size(), {}, {}};
+  for (const Hit& hit : hits.runs[run]) {
+    for (const HitFault fault : faults_of(hit)) ++found.counts[fault];
+  }
+  if (found.counts.contains(HitFault::Overload)) {
+    found.clipped = fmt::format(
+        "{}", fmt::join(clipped_channels(bundle, run, recording, hits), ", "));
+  }
+  return found;
+}
+
+Finding rejected_finding(const Rejected& rejected, Severity severity) {
   const auto most = std::ranges::max_element(
-      counts, {}, [](const auto& entry) { return entry.second; });
+      rejected.counts, {}, [](const auto& entry) { return entry.second; });
   std::vector<std::string> reasons;
-  for (const auto& [fault, count] : counts) {
+  for (const auto& [fault, count] : rejected.counts) {
     std::string words = fmt::format("{} {}", count, name(fault));
-    if (fault == HitFault::Overload) {
-      const auto names = clipped_channels(bundle, run, recording, hits);
-      if (!names.empty()) words += fmt::format(" ({})", fmt::join(names, ", "));
+    if (fault == HitFault::Overload && !rejected.clipped.empty()) {
+      words += " (" + rejected.clipped + ")";
     }
     reasons.push_back(std::move(words));
   }
   const auto [likely, remedy] = way_out(most->first);
   return {severity,
-          {{run}, {}, {}, {}},
-          fmt::format("none of its {} hits is accepted: {}",
-                      hits.runs[run].size(),
+          {rejected.runs, {}, {}, {}},
+          fmt::format("none of {} {} hits is accepted: {}",
+                      rejected.runs.size() == 1 ? "its" : "their",
+                      rejected.hits,
                       fmt::join(reasons, ", ")),
           likely,
           remedy};
@@ -144,7 +166,7 @@ std::vector<Finding> rejected_hit_findings(
     const HitSet& hits) {
   const Severity severity =
       any_hit_accepted(hits) ? Severity::Warning : Severity::Error;
-  std::vector<Finding> findings;
+  std::vector<Rejected> all;
   for (std::size_t r = 0; r < hits.runs.size(); ++r) {
     const std::vector<Hit>& run = hits.runs[r];
     if (run.empty() || recordings[r].samples.rows() == 0) continue;
@@ -152,8 +174,20 @@ std::vector<Finding> rejected_hit_findings(
       return !hit.accepted && !faults_of(hit).empty();
     });
     if (!judged_out) continue;
-    findings.push_back(
-        rejected_finding(bundle, r, recordings[r], hits, severity));
+    Rejected here = rejected_run(bundle, r, recordings[r], hits);
+    const auto like = std::ranges::find_if(
+        all, [&here](const Rejected& other) { return here.is_like(other); });
+    if (like == all.end()) {
+      all.push_back(std::move(here));
+      continue;
+    }
+    like->runs.push_back(r);
+    like->hits += here.hits;
+    for (const auto& [fault, count] : here.counts) like->counts[fault] += count;
+  }
+  std::vector<Finding> findings;
+  for (const Rejected& one : all) {
+    findings.push_back(rejected_finding(one, severity));
   }
   return findings;
 }

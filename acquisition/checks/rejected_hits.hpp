@@ -11,9 +11,9 @@
 
 namespace tapfit::acquisition {
 
-/// One finding for each run of which every hit was judged out: how many for
-/// which reason, clipped channels by name. Errors where no run has an accepted
-/// hit, else warnings.
+/// Runs of which every hit was judged out, one finding for those of the same
+/// reasons: how many hits for which, clipped channels by name. Errors where no
+/// run has an accepted hit, else warnings.
 ///
 /// @param recordings of all runs; those without samples are passed over
 [[nodiscard]] std::vector<Finding> rejected_hit_findings(

@@ -40,6 +40,25 @@ TEST(RejectedHits, ASecondBlowThatCostsLittleIsNotBlamed) {
   EXPECT_THAT(findings[0].remedy, HasSubstr("the file's end"));
 }
 
+// Of the same reason, though not of the same number of hits.
+TEST(RejectedHits, RunsOfOneReasonAreOneFinding) {
+  TestBundle bundle = one_run();
+  bundle.runs.resize(3);
+  std::vector<Recording> recordings(3, one_recording()[0]);
+  Hit early;
+  early.accepted = false;
+  early.reasons = {HitFault::Truncated};
+  Hit soft = early;
+  soft.reasons = {HitFault::Soft};
+  HitSet hits;
+  hits.runs = {{early, early}, {soft}, {early}};
+  const auto findings = rejected_hit_findings(bundle, recordings, hits);
+  ASSERT_EQ(findings.size(), 2U);
+  EXPECT_EQ(findings[0].where.runs, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(findings[0].what, "none of their 3 hits is accepted: 3 truncated");
+  EXPECT_EQ(findings[1].where.runs, std::vector<std::size_t>{1});
+}
+
 TEST(RejectedHits, ASecondBlowThatLeavesTheBlockIs) {
   HitSet hits;
   SecondPulse late;
