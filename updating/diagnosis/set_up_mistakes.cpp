@@ -1,5 +1,6 @@
 #include "updating/diagnosis/set_up_mistakes.hpp"
 
+#include "modal/mass_loading/stated_masses.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/set_up/sheet_edits.hpp"
 
@@ -11,6 +12,15 @@
 #include <utility>
 
 namespace tapfit::updating {
+namespace {
+
+// Whether an estimate is of that channel: "mass_kg" of all, "mass_kg.acc1".
+bool is_mass_of(const Estimate& mass, const std::string& channel) {
+  const std::string name = "mass_kg";
+  return mass.name == name || mass.name == name + "." + channel;
+}
+
+}  // namespace
 
 std::vector<SetUpMistake> set_up_mistakes(
     const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet) {
@@ -54,6 +64,27 @@ std::vector<SetUpMistake> run_outliers(
          fmt::format("runs[{0}].file, or take runs[{0}] out", one.run)});
   }
   return result;
+}
+
+std::vector<Finding> sensor_mass_findings(
+    const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet) {
+  std::vector<Finding> findings;
+  for (const Rung& rung : ladder) {
+    if (rung.added != "sensor-mass" || !rung.alike.empty()) continue;
+    for (std::size_t c = 0; c < sheet.channels.size(); ++c) {
+      const std::string& channel = sheet.channels[c].name;
+      if (std::ranges::count(rung.where.channels, channel) == 0) continue;
+      const auto mass = std::ranges::find_if(
+          rung.parameters,
+          [&](const Estimate& e) { return is_mass_of(e, channel); });
+      if (mass == rung.parameters.end() || mass->at_bound) continue;
+      if (auto off = modal::stated_mass_finding(
+              sheet, {{c}, mass->value, mass->sd, "the fit of the model"})) {
+        findings.push_back(std::move(*off));
+      }
+    }
+  }
+  return findings;
 }
 
 std::string describe(const SetUpMistake& mistake) {

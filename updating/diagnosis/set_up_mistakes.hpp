@@ -2,6 +2,7 @@
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
+#include "acquisition/foundation/finding.hpp"
 #include "modal/checks/run_poles.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 
@@ -25,6 +26,11 @@ namespace tapfit::updating {
     const std::vector<modal::ForeignRun>& foreign,
     std::size_t runs,
     double error);
+
+/// Stated masses of sensors that a diagnosis contradicts: by rungs that nothing
+/// else explains as well and that ended within their bounds.
+[[nodiscard]] std::vector<Finding> sensor_mass_findings(
+    const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet);
 
 /// "point-mislabelled at acc1 at node 6, not 8: correct
 /// runs[3].sensors[0].node: 8 -> 6".

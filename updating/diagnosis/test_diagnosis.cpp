@@ -2,6 +2,7 @@
 
 #include "acquisition/bundle/channel_names.hpp"
 #include "modal/mass_loading/sensor_shifts.hpp"
+#include "modal/mass_loading/stated_masses.hpp"
 #include "updating/catalogue/catalogue.hpp"
 #include "updating/diagnosis/card_swap.hpp"
 #include "updating/diagnosis/diagnose.hpp"
@@ -109,6 +110,14 @@ Diagnosis diagnose_test(const FitContext& ground,
   if (const auto& shifts = test.modes.shifts; modal::is_significant(shifts)) {
     d.warnings.push_back(modal::statement(
         *shifts, acquisition::channel_names(*test.context.bundle)));
+  }
+  const acquisition::TestBundle& bundle = *test.context.bundle;
+  for (const Finding& off :
+       modal::stated_mass_findings(bundle, test.modes.shifts)) {
+    d.warnings.push_back(off.where.channel + ": " + in_full(off));
+  }
+  for (const Finding& off : sensor_mass_findings(d.ladder, bundle)) {
+    d.warnings.push_back(off.where.channel + ": " + in_full(off));
   }
   for (const std::string& warning : of_model) {
     if (std::ranges::count(d.warnings, warning) > 0) continue;

@@ -234,5 +234,29 @@ TEST(SetUpMistakes, AreNoneOnARightSheet) {
   EXPECT_TRUE(d.set_up.empty());
 }
 
+// What a fit of the model says of sensors, against their sheet.
+TEST(SetUpMistakes, OfASensorsStatedMassAreNamed) {
+  acquisition::TestBundle sheet;
+  sheet.channels.resize(3);
+  sheet.channels[1].name = "acc1";
+  sheet.channels[1].mass_kg = 0.1;
+  sheet.channels[2].name = "acc2";
+  sheet.channels[2].mass_kg = 0.011;
+  Rung rung;
+  rung.added = "sensor-mass";
+  rung.where.channels = {"acc1", "acc2"};
+  rung.parameters = {{"mass_kg", 0.01, 0.0005, 0.009, 0.011}};
+  const auto found = sensor_mass_findings({rung}, sheet);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].where.channel, "acc1");
+  rung.parameters = {{"mass_kg.acc1", 0.1, 0.0005, 0.099, 0.101},
+                     {"mass_kg.acc2", 0.05, 0.0005, 0.049, 0.051}};
+  const auto each = sensor_mass_findings({rung}, sheet);
+  ASSERT_EQ(each.size(), 1U);
+  EXPECT_EQ(each[0].where.channel, "acc2");
+  rung.alike = {{}};  // something else may be it
+  EXPECT_TRUE(sensor_mass_findings({rung}, sheet).empty());
+}
+
 }  // namespace
 }  // namespace tapfit::updating
