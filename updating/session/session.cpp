@@ -14,37 +14,12 @@
 #include "updating/session/fitted_test.hpp"
 #include "updating/session/session_stages.hpp"
 #include "updating/session/test_of_modes.hpp"
-
-#include <fmt/format.h>
+#include "updating/session/weighed_mass.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 namespace tapfit::updating {
-
-namespace {
-
-// Of a structure that was weighed.
-std::string mass_warning(const acquisition::TestBundle& bundle,
-                         double deck_kg) {
-  if (!bundle.weighed || !(deck_kg > 0.0)) return {};
-  // Screws, glue and paint are seldom in a deck.
-  constexpr double usual = 0.05;
-  constexpr double certain = 3.0;  // standard deviations
-  const double kg = bundle.weighed->mass_kg;
-  const double sd = 0.01 * bundle.weighed->sd_percent;
-  if (std::abs(deck_kg / kg - 1.0) <= std::max(usual, certain * sd)) return {};
-  return fmt::format(
-      "the structure was weighed at {:.4g} kg and the deck has {:.4g} kg: "
-      "parts "
-      "or masses are missing from it or too many, or a density, or \"weighed\" "
-      "in test.json, is in another unit",
-      kg,
-      deck_kg);
-}
-
-}  // namespace
 
 Session::Session(const std::filesystem::path& bundle,
                  acquisition::Unreadable unreadable)
@@ -318,7 +293,10 @@ std::vector<SetUpMistake> Session::run_outliers(const Progress& progress) {
 std::vector<std::string> Session::model_warnings(const Progress& progress) {
   stages_->prepare_fit(progress);
   std::vector<std::string> warnings = stages_->model->unsplit().warnings();
-  warnings.push_back(mass_warning(bundle(), stages_->model->builder.mass_kg()));
+  if (const auto mass =
+          weighed_mass_finding(bundle(), stages_->model->builder.mass_kg())) {
+    warnings.push_back(statement(*mass));
+  }
   warnings.push_back(floor_warning(base_comparison(progress)));
   warnings.push_back(base_error_warning(stages_->model->builder.error()));
   if (bundle().modes) {

@@ -15,11 +15,15 @@
 #include "modal/checks/motion_kind.hpp"
 #include "modal/checks/run_poles.hpp"
 #include "modal/checks/run_residues.hpp"
+#include "modal/mass_loading/stated_masses.hpp"
 #include "signal/checks/calibration_findings.hpp"
 #include "signal/checks/delay_findings.hpp"
 #include "signal/checks/exchanged_labels.hpp"
 #include "signal/checks/frf_findings.hpp"
+#include "updating/session/weighed_mass.hpp"
 #include "updating/structure/assembly/assemble.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <functional>
@@ -37,8 +41,10 @@ constexpr double deck_mass_share = 0.5;
 Finding as_finding(const InputError& error, Subject where) {
   return {Severity::Error,
           std::move(where),
-          error.fault(),
-          error.where(),
+          error.where().empty()
+              ? error.fault()
+              : fmt::format("{} ({})", error.fault(), error.where()),
+          {},
           error.remedy()};
 }
 
@@ -54,6 +60,7 @@ class Checker {
   TestCheck check() {
     input();
     points();
+    weight();
     if (session_.bundle().modes) {
       given_modes();
     } else if (session_.bundle().frfs || records()) {
@@ -64,7 +71,14 @@ class Checker {
   }
 
  private:
+  // What is said of runs whose blows stand elsewhere means nothing.
   void add(std::vector<Finding> more) {
+    std::erase_if(more, [&](const Finding& of) {
+      return !of.where.runs.empty() &&
+             std::ranges::all_of(of.where.runs, [&](std::size_t r) {
+               return exchanged_.contains(r);
+             });
+    });
     append(std::move(more), found_.findings);
   }
 
@@ -86,6 +100,13 @@ class Checker {
   void points() {
     if (session_.bundle().points.empty() || !session_.has_model()) return;
     reached([&] { found_.placed = session_.deck(progress_).measuring.size(); });
+  }
+
+  void weight() {
+    if (!session_.bundle().weighed) return;
+    if (auto off = weighed_mass_finding(session_.bundle(), deck_mass())) {
+      add({std::move(*off)});
+    }
   }
 
   // Adds what is thrown as a finding.
@@ -114,10 +135,11 @@ class Checker {
     }
     add(acquisition::repeated_run_findings(bundle, recordings));
     add(acquisition::repeated_channel_findings(bundle, recordings));
-    add(acquisition::force_channel_findings(bundle, recordings, hits));
     found_.records = channel_records(bundle, recordings, hits);
     add(record_findings(bundle, found_.records));
-    if (!hit) return false;
+    add_exchanges(
+        acquisition::force_channel_findings(bundle, recordings, hits));
+    if (!hit || exchanged_.size() == bundle.runs.size()) return false;
     add(hits.findings);
     add(acquisition::jump_findings(bundle, recordings, hits));
     add(acquisition::tone_findings(bundle, recordings, hits));
@@ -131,6 +153,15 @@ class Checker {
     return std::ranges::any_of(hits.runs, [](const auto& run) {
       return std::ranges::any_of(run, &acquisition::Hit::accepted);
     });
+  }
+
+  void add_exchanges(std::vector<Finding> found) {
+    std::set<std::size_t> runs;
+    for (const Finding& of : found) {
+      runs.insert(of.where.runs.begin(), of.where.runs.end());
+    }
+    add(std::move(found));
+    exchanged_ = std::move(runs);
   }
 
   void coherence() {
@@ -241,6 +272,7 @@ class Checker {
       if (!said) add({std::move(finding)});
     }
     add(modal_mass_findings(bundle, set, modes, mass().value_or(0.0)));
+    add(modal::stated_mass_findings(bundle, modes.shifts));
     std::vector<Finding> kinds = motion_kind_findings(bundle, set, modes);
     std::set<std::string> told;
     for (const Finding& kind : kinds) told.insert(kind.where.channel);
@@ -260,15 +292,20 @@ class Checker {
   std::optional<double> mass() {
     if (body_kg_) return body_kg_;
     if (const auto weighed = weighed_with_sensors()) return weighed;
-    if (!deck_kg_ && session_.bundle().deck) {
-      try {
-        const structure::Deck& deck = session_.deck(progress_);
-        deck_kg_ = total_mass(deck, structure::assemble(deck));
-      } catch (const InputError&) {
-        deck_kg_ = 0.0;  // what is wrong with the deck is said elsewhere
-      }
+    if (!session_.bundle().deck) return {};
+    return deck_mass();
+  }
+
+  // 0 where it is not known [kg].
+  double deck_mass() {
+    if (deck_kg_ || !session_.bundle().deck) return deck_kg_.value_or(0.0);
+    try {
+      const structure::Deck& deck = session_.deck(progress_);
+      deck_kg_ = total_mass(deck, structure::assemble(deck));
+    } catch (const InputError&) {
+      deck_kg_ = 0.0;  // what is wrong with the deck is said elsewhere
     }
-    return deck_kg_;
+    return *deck_kg_;
   }
 
   std::optional<double> weighed_with_sensors() const {
@@ -296,6 +333,7 @@ class Checker {
   std::optional<double> body_kg_;
   const Progress& progress_;
   std::optional<double> deck_kg_;
+  std::set<std::size_t> exchanged_;  // runs whose hammer is another channel
   std::set<signal::HitAt> late_;  // or early, against most of their placement
   TestCheck found_;
 };

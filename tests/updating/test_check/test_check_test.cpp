@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 #include <iterator>
@@ -84,6 +85,63 @@ const SheetAndRecords& clean_test(unsigned seed) {
   const auto [it, fresh] = made.try_emplace(seed);
   if (fresh) it->second = plain_test(structure(seed));
   return it->second;
+}
+
+std::vector<Finding> of_severity(const std::vector<Finding>& all, Severity s) {
+  std::vector<Finding> found;
+  std::ranges::copy_if(all, std::back_inserter(found), [s](const Finding& f) {
+    return f.severity == s;
+  });
+  return found;
+}
+
+// Of twelve runs nine have one sensor's range changed: the three before it
+// differ from most, whichever sensor explains each of them best.
+TEST(TestCheck, OneChangeOfARangeIsOneFinding) {
+  PlainOptions options = drawn(7, testing::Structure::Storeys, 2, 12, 1.0);
+  SheetAndRecords test = plain_test(options);
+  for (std::size_t r = 3; r < 12; ++r) {
+    test.recordings[r].samples.col(1) *= 1.3;
+  }
+  const TestCheck found = testing::check_of(test);
+  const auto errors = of_severity(found.findings, Severity::Error);
+  ASSERT_EQ(errors.size(), 1U) << testing::serious(found.findings);
+  EXPECT_EQ(errors[0].where.runs, (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_NE(errors[0].what.find("from run 4 on"), std::string::npos)
+      << errors[0].what;
+}
+
+// Hits found in a response say nothing of trigger, cables and structure.
+TEST(TestCheck, WhatAnExchangeExplainsIsSaidOnce) {
+  for (const unsigned seed : {3U, 4U}) {
+    SheetAndRecords test = clean_test(seed);
+    for (auto& r : test.recordings) r.samples.col(0).swap(r.samples.col(1));
+    const TestCheck found = testing::check_of(test);
+    const auto errors = of_severity(found.findings, Severity::Error);
+    ASSERT_EQ(errors.size(), 1U) << testing::serious(found.findings);
+    EXPECT_NE(errors[0].likely.find("exchanged"), std::string::npos);
+  }
+}
+
+TEST(TestCheck, AFileOfAnotherRateIsNamedWithoutACause) {
+  SheetAndRecords test = clean_test(3);
+  test.recordings[4].sample_rate_hz *= 2.0;
+  const TestCheck found = testing::check_of(test);
+  const auto errors = of_severity(found.findings, Severity::Error);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_NE(errors[0].what.find("is sampled at"), std::string::npos);
+  EXPECT_NE(errors[0].what.find(test.bundle.runs[4].file.filename().string()),
+            std::string::npos)
+      << errors[0].what;
+  EXPECT_EQ(errors[0].likely, "");
+}
+
+TEST(TestCheck, AHammerInKilonewtonsIsNamedByItsUnit) {
+  SheetAndRecords test = clean_test(3);
+  test.bundle.channels[0].sensitivity *= 1000.0;
+  const std::string said = testing::serious(testing::check_of(test).findings);
+  EXPECT_NE(said.find("1000: kN for N"), std::string::npos) << said;
+  EXPECT_EQ(said.find("e+0"), std::string::npos) << said;
 }
 
 class AMistake : public ::testing::TestWithParam<Mistake> {};
