@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
@@ -52,7 +53,10 @@ std::string listed(std::initializer_list<std::span<const UnitSlip>> lists,
       }
     }
   }
-  std::ranges::sort(found, {}, &UnitSlip::factor);
+  const double middle = 0.5 * std::abs(std::log(least * most));
+  std::ranges::sort(found, {}, [middle](const UnitSlip& slip) {
+    return std::abs(std::log(slip.factor) - middle);
+  });
   std::string words;
   for (const UnitSlip& slip : found) {
     words += fmt::format(

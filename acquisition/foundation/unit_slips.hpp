@@ -28,7 +28,7 @@ struct UnitSlip {
 
 /// "1000: kN for N, mm for m, or mV for V; ...": units of channels of which one
 /// is at least `least` and at most `most` times the other, or the other way
-/// round; empty for none.
+/// round, the nearest to their middle first; empty for none.
 /// @param least, most above zero
 [[nodiscard]] std::string units_between(double least, double most);
 

@@ -11,9 +11,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double rate = 256.0;
-constexpr Index block = 1024;
-constexpr int blows = 3;
+constexpr double drift_rate = 256.0;
+constexpr Index drift_block = 1024;
+constexpr int drift_blows = 3;
 
 struct Rung {
   TestBundle bundle;
@@ -28,19 +28,19 @@ Rung ringing_test() {
   test.bundle.channels[2].name = "acc2";
   test.bundle.runs.resize(1);
   test.bundle.runs[0].sensors = {{1, {}}, {2, {}}};
-  test.hits.sample_rate_hz = rate;
-  test.hits.block = block;
+  test.hits.sample_rate_hz = drift_rate;
+  test.hits.block = drift_block;
   test.hits.runs.resize(1);
   std::mt19937 engine(1);
   std::normal_distribution<double> noise(0.0, 1e-3);
-  Eigen::MatrixXd x(block * (blows + 1), 3);
+  Eigen::MatrixXd x(drift_block * (drift_blows + 1), 3);
   for (double& value : x.reshaped()) value = noise(engine);
-  for (int k = 0; k < blows; ++k) {
+  for (int k = 0; k < drift_blows; ++k) {
     Hit hit;
-    hit.trigger = block * k + block / 2;
+    hit.trigger = drift_block * k + drift_block / 2;
     hit.pulse_s = 0.01;
-    for (Index i = hit.trigger; i < hit.trigger + block; ++i) {
-      const double t = static_cast<double>(i - hit.trigger) / rate;
+    for (Index i = hit.trigger; i < hit.trigger + drift_block; ++i) {
+      const double t = static_cast<double>(i - hit.trigger) / drift_rate;
       const double ring = std::exp(-3.0 * t) * std::sin(120.0 * t);
       x(i, 1) += ring;
       x(i, 2) += 0.5 * ring;
@@ -49,7 +49,7 @@ Rung ringing_test() {
   }
   test.recordings.resize(1);
   test.recordings[0].samples = x;
-  test.recordings[0].sample_rate_hz = rate;
+  test.recordings[0].sample_rate_hz = drift_rate;
   return test;
 }
 
