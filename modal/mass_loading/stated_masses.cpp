@@ -39,7 +39,8 @@ std::optional<Finding> stated_mass_finding(
                              as_grams(found.sd_kg),
                              found.by,
                              as_grams(stated)),
-                 "mass_kg is that of another sensor, or in another unit",
+                 "mass_kg is that of another sensor or in another unit, or the "
+                 "deck has the sensor already",
                  "weigh the sensor and correct its mass_kg in test.json"};
 }
 

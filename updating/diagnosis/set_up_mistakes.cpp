@@ -20,6 +20,32 @@ bool is_mass_of(const Estimate& mass, const std::string& channel) {
   return mass.name == name || mass.name == name + "." + channel;
 }
 
+/// One fit of sensors' masses.
+struct FittedMasses {
+  const std::vector<std::string>* channels;
+  const std::vector<Estimate>* estimates;
+};
+
+// Those that count, the ladder's or the candidates' with the fewest channels
+// first: what one mass for all is, is not each one's.
+std::vector<FittedMasses> fitted_masses(const Diagnosis& d) {
+  const std::string kind = "sensor-mass";
+  std::vector<FittedMasses> found;
+  for (const Rung& rung : d.ladder) {
+    if (rung.added != kind || !rung.alike.empty()) continue;
+    found.push_back({&rung.where.channels, &rung.parameters});
+  }
+  if (d.verdict == "none") {
+    for (const Candidate& one : d.candidates) {
+      if (one.effect != kind) continue;
+      found.push_back({&one.where.channels, &one.parameters});
+    }
+  }
+  std::ranges::stable_sort(
+      found, {}, [](const FittedMasses& fit) { return fit.channels->size(); });
+  return found;
+}
+
 }  // namespace
 
 std::vector<SetUpMistake> set_up_mistakes(
@@ -67,21 +93,22 @@ std::vector<SetUpMistake> run_outliers(
 }
 
 std::vector<Finding> sensor_mass_findings(
-    const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet) {
+    const Diagnosis& diagnosis, const acquisition::TestBundle& sheet) {
+  const std::vector<FittedMasses> fitted = fitted_masses(diagnosis);
   std::vector<Finding> findings;
-  for (const Rung& rung : ladder) {
-    if (rung.added != "sensor-mass" || !rung.alike.empty()) continue;
-    for (std::size_t c = 0; c < sheet.channels.size(); ++c) {
-      const std::string& channel = sheet.channels[c].name;
-      if (std::ranges::count(rung.where.channels, channel) == 0) continue;
+  for (std::size_t c = 0; c < sheet.channels.size(); ++c) {
+    const std::string& channel = sheet.channels[c].name;
+    for (const FittedMasses& fit : fitted) {
+      if (std::ranges::count(*fit.channels, channel) == 0) continue;
       const auto mass = std::ranges::find_if(
-          rung.parameters,
+          *fit.estimates,
           [&](const Estimate& e) { return is_mass_of(e, channel); });
-      if (mass == rung.parameters.end() || mass->at_bound) continue;
+      if (mass == fit.estimates->end()) continue;
       if (auto off = modal::stated_mass_finding(
               sheet, {{c}, mass->value, mass->sd, "the fit of the model"})) {
         findings.push_back(std::move(*off));
       }
+      break;
     }
   }
   return findings;

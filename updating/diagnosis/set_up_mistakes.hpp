@@ -27,10 +27,11 @@ namespace tapfit::updating {
     std::size_t runs,
     double error);
 
-/// Stated masses of sensors that a diagnosis contradicts: by rungs that nothing
-/// else explains as well and that ended within their bounds.
+/// Stated masses of sensors that a diagnosis contradicts: by its ladder's rungs
+/// that nothing else explains as well, and where nothing is missing from the
+/// model by what its candidates leave for them.
 [[nodiscard]] std::vector<Finding> sensor_mass_findings(
-    const std::vector<Rung>& ladder, const acquisition::TestBundle& sheet);
+    const Diagnosis& diagnosis, const acquisition::TestBundle& sheet);
 
 /// "point-mislabelled at acc1 at node 6, not 8: correct
 /// runs[3].sensors[0].node: 8 -> 6".

@@ -116,7 +116,7 @@ Diagnosis diagnose_test(const FitContext& ground,
        modal::stated_mass_findings(bundle, test.modes.shifts)) {
     d.warnings.push_back(off.where.channel + ": " + in_full(off));
   }
-  for (const Finding& off : sensor_mass_findings(d.ladder, bundle)) {
+  for (const Finding& off : sensor_mass_findings(d, bundle)) {
     d.warnings.push_back(off.where.channel + ": " + in_full(off));
   }
   for (const std::string& warning : of_model) {

@@ -246,16 +246,41 @@ TEST(SetUpMistakes, OfASensorsStatedMassAreNamed) {
   rung.added = "sensor-mass";
   rung.where.channels = {"acc1", "acc2"};
   rung.parameters = {{"mass_kg", 0.01, 0.0005, 0.009, 0.011}};
-  const auto found = sensor_mass_findings({rung}, sheet);
+  Diagnosis d;
+  d.verdict = "sensor-mass";
+  d.ladder = {rung};
+  const auto found = sensor_mass_findings(d, sheet);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].where.channel, "acc1");
-  rung.parameters = {{"mass_kg.acc1", 0.1, 0.0005, 0.099, 0.101},
-                     {"mass_kg.acc2", 0.05, 0.0005, 0.049, 0.051}};
-  const auto each = sensor_mass_findings({rung}, sheet);
+  d.ladder[0].parameters = {{"mass_kg.acc1", 0.1, 0.0005, 0.099, 0.101},
+                            {"mass_kg.acc2", 0.05, 0.0005, 0.049, 0.051}};
+  const auto each = sensor_mass_findings(d, sheet);
   ASSERT_EQ(each.size(), 1U);
   EXPECT_EQ(each[0].where.channel, "acc2");
-  rung.alike = {{}};  // something else may be it
-  EXPECT_TRUE(sensor_mass_findings({rung}, sheet).empty());
+  d.ladder[0].alike = {{}};  // something else may be it
+  EXPECT_TRUE(sensor_mass_findings(d, sheet).empty());
+}
+
+// Where the model lacks nothing, 100 g at a sensor would show: 3 g are a
+// standard deviation.
+TEST(SetUpMistakes, OfASensorWhoseMassIsNotThereAreNamed) {
+  acquisition::TestBundle sheet;
+  sheet.channels.resize(2);
+  sheet.channels[1].name = "acc1";
+  sheet.channels[1].mass_kg = 0.1;
+  Candidate candidate;
+  candidate.effect = "sensor-mass";
+  candidate.where.channels = {"acc1"};
+  candidate.parameters = {{"mass_kg", 1e-4, 0.003, 1e-4, 6.5, {}, true}};
+  Diagnosis d;
+  d.candidates = {candidate};
+  d.verdict = "none";
+  EXPECT_EQ(sensor_mass_findings(d, sheet).size(), 1U);
+  sheet.channels[1].mass_kg = 0.008;
+  EXPECT_TRUE(sensor_mass_findings(d, sheet).empty());
+  sheet.channels[1].mass_kg = 0.1;
+  d.verdict = "unexplained";
+  EXPECT_TRUE(sensor_mass_findings(d, sheet).empty());
 }
 
 }  // namespace
