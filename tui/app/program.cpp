@@ -84,7 +84,7 @@ std::vector<KeyHelp> Program::page_keys() const {
 
 void Program::start(Job job) {
   running_ = true;
-  running_need_ = job.need.has_value();
+  running_need_ = job.need;
   stopped_by_user_ = false;
   worker_.start(std::move(job));
   changed_ = true;
@@ -127,6 +127,7 @@ bool Program::tick() {
   if (std::optional<Finished> finished = worker_.take_finished()) {
     finish(std::move(*finished));
   }
+  give_way_to_screens();
   if (!running_ && !actions_.empty()) {
     Job job = std::move(actions_.front());
     actions_.pop_front();

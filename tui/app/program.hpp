@@ -101,7 +101,14 @@ class Program {
   [[nodiscard]] bool ready(const Page& page) const;
   /// The first result that it cannot be drawn without and that is not there.
   [[nodiscard]] std::optional<Need> missing(const Page& page) const;
+  /// It is not there, and nothing has failed on the way to it.
+  [[nodiscard]] bool is_wanted(const Need& need) const;
+  /// Of what is shown, the first that is wanted.
+  [[nodiscard]] std::optional<Need> need_of_screens() const;
+  /// The same, then what is worked out beforehand.
   [[nodiscard]] std::optional<Need> next_need() const;
+  /// A diagnosis that no screen waits for ends where one waits for something.
+  void give_way_to_screens();
   void finish(Finished finished);
   void start(Job job);
 
@@ -234,7 +241,7 @@ class Program {
   std::map<Need, std::string> failed_;  ///< not asked for again by itself
   std::deque<Job> actions_;             ///< what the user asked for
   bool running_ = true;                 ///< a job's end has not been taken yet
-  bool running_need_ = true;            ///< it makes a result, it is no action
+  std::optional<Need> running_need_;    ///< none where it is an action
   bool stopped_by_user_ = false;
   WorkerStatus shown_;
   long shown_seconds_ = 0;  ///< of shown_

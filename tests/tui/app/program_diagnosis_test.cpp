@@ -29,6 +29,32 @@ TEST(Program, KeepsTheLastListWhileItLooksAnew) {
   EXPECT_TRUE(holds(seen(), "outdated, diagnosing again")) << seen();
 }
 
+TEST(Program, DiagnosesWhileOtherScreensAreRead) {
+  Program program(testing::fake_workbench({}), {});
+  program.press(Key(U'3'));
+  wait_until_idle(program);
+  program.press(Key(U'5'));
+  const std::string at_once = program.draw().to_text();
+  EXPECT_TRUE(holds(at_once, "verdict: ")) << at_once;
+}
+
+TEST(Program, PutsADiagnosisOffForWhatAScreenWaitsFor) {
+  FakeOptions options;
+  options.endless_first_diagnosis = true;
+  Program program(testing::fake_workbench(options), {});
+  const auto seen = [&program] { return program.draw().to_text(); };
+  const auto comes = [&](const char* words) {
+    for (int i = 0; i < 20000 && !holds(seen(), words); ++i) program.tick();
+    return holds(seen(), words);
+  };
+  program.press(Key(U'3'));
+  ASSERT_TRUE(comes("diagnosis: ")) << seen();
+  program.press(Key(U'4'));
+  EXPECT_TRUE(comes("MAC")) << seen();
+  EXPECT_TRUE(comes("diagnosis: ")) << "goes on after it: " << seen();
+  program.leave();
+}
+
 /// A diagnosis that has tried two and goes on.
 class Trying : public ::testing::Test {
  protected:
