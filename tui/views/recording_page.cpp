@@ -327,7 +327,7 @@ std::vector<KeyHelp> RecordingPage::keys() const {
   return {{"Space", "accept/reject"},
           {"u", "undo"},
           {"n p", "run"},
-          {"Enter", "zoom on hit"},
+          {"Enter", "zoom"},
           {"N", "next rejected"},
           {"Tab", "sensor"},
           {"R", "replay"},

@@ -127,10 +127,10 @@ bool UpdatePage::animate(const Snapshot& known) {
 
 std::vector<KeyHelp> UpdatePage::keys() const {
   return {{"j k", "FRF"},
-          {"Tab", "curves/effect/fit"},
+          {"Tab", "view"},
+          {"Space", "effect off/on"},
           {"u", "undo"},
           {"^R", "redo"},
-          {"Space", "effect off/on"},
           {"n p", "which"},
           {"R", "slide again"},
           {"h l", "cursor"},

@@ -16,7 +16,7 @@ TEST(Program, HelpNamesTheKeysOfTheScreen) {
 // A long entry that does not fit gives its room to those behind it.
 TEST(Program, KeyBarIsFilled) {
   const std::string text = played("wait");
-  EXPECT_TRUE(holds(text, "n p run  Tab sensor")) << text;
+  EXPECT_TRUE(holds(text, "n p run  Enter zoom")) << text;
   EXPECT_TRUE(holds(played("2\nwait\nd"), "d back to FRFs  j k check"));
 }
 
