@@ -70,10 +70,8 @@ const Comparison& Session::comparison(const Progress& progress) {
   if (!stages_->comparison) {
     stages_->prepare_fit(progress);
     stages_->comparison = stages_->compare_now(stages_->current());
-    const std::size_t effects = stages_->current().effects.size();
-    for (std::size_t count = 0; count <= effects; ++count) {
-      const auto known = stages_->diagnosis_cache(count).load();
-      if (known) limit_form(*stages_->comparison, known->form_error);
+    if (stages_->form_error) {
+      limit_form(*stages_->comparison, *stages_->form_error);
     }
   }
   return *stages_->comparison;
@@ -92,9 +90,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
                              model_warnings(progress),
                              progress);
       });
-  if (stages_->comparison) {
-    limit_form(*stages_->comparison, stages_->diagnosis->form_error);
-  }
+  stages_->take_form(*stages_->diagnosis);
   return *stages_->diagnosis;
 }
 
@@ -118,7 +114,9 @@ const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
 std::optional<Diagnosis> Session::known_diagnosis(std::size_t effects,
                                                   const Progress& progress) {
   stages_->prepare_fit(progress);
-  return stages_->diagnosis_cache(effects).load();
+  std::optional<Diagnosis> known = stages_->diagnosis_cache(effects).load();
+  if (known) stages_->take_form(*known);
+  return known;
 }
 
 Signature Session::signature(int node, const Progress& progress) {

@@ -135,6 +135,11 @@ Comparison SessionStages::compare_now(const Fit& fit) {
   return c;
 }
 
+void SessionStages::take_form(const Diagnosis& of) {
+  form_error = std::min(form_error.value_or(of.form_error), of.form_error);
+  if (comparison) limit_form(*comparison, *form_error);
+}
+
 void SessionStages::drop_current() {
   comparison.reset();
   diagnosis.reset();
@@ -150,6 +155,7 @@ void SessionStages::drop_from_frfs() {
   corrected.clear();
   plain.reset();
   base_comparison.reset();
+  form_error.reset();
   drop_current();
 }
 

@@ -45,6 +45,8 @@ struct SessionStages {
   std::optional<Comparison> base_comparison;
   std::optional<Comparison> comparison;
   std::optional<Diagnosis> diagnosis;
+  /// Of the deck's form, the least that a diagnosis of this test leaves it.
+  std::optional<double> form_error;
   std::vector<Rung> ladder;
   std::optional<Fit> likeliest;
   std::optional<TriedStack> tried;
@@ -54,6 +56,8 @@ struct SessionStages {
   /// Model, damped lines and the base fit; all that does not depend on effects.
   void prepare_fit(const Progress& progress);
 
+  /// What a diagnosis that was asked for says of the deck's form.
+  void take_form(const Diagnosis& of);
   /// Drops what follows from the FRFs; the effects wait to be put in again.
   void drop_from_frfs();
   /// Drops what follows from the effects.
