@@ -160,8 +160,7 @@ void SessionWorkbench::write_report_to(const std::filesystem::path& path,
   if (!session_.has_model() || !session_.effects().empty()) {
     return write_document(session_, path, rule, p);
   }
-  updating::Session worked(bundle_, acquisition::Unreadable::LeftOut);
-  worked.take_up(session_.saved(p));
+  updating::Session worked = session_.beside();
   write_document(worked, path, rule, p);
 }
 

@@ -18,15 +18,28 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace tapfit::updating {
 
 Session::Session(const std::filesystem::path& bundle,
                  acquisition::Unreadable unreadable)
     : stages_(std::make_unique<SessionStages>(bundle, unreadable)) {}
+Session::Session(std::unique_ptr<SessionStages> stages)
+    : stages_(std::move(stages)) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
+
+Session Session::beside() const {
+  auto stages = std::make_unique<SessionStages>(stages_->test);
+  stages->waiting =
+      stages_->ground ? stages_->stack->history() : stages_->waiting;
+  stages->choice = stages_->choice;
+  stages->diagnosis = stages_->diagnosis;
+  stages->form_error = stages_->form_error;
+  return Session(std::move(stages));
+}
 
 const acquisition::TestBundle& Session::bundle() const {
   return stages_->test.bundle();

@@ -52,6 +52,9 @@ class Session {
   ~Session();
   Session(Session&&) noexcept;
   Session& operator=(Session&&) noexcept;
+  /// The same test with all that was measured and found missing in a session of
+  /// its own: what is done there leaves this one as it is.
+  [[nodiscard]] Session beside() const;
 
   // Each stage: computed on first use, kept. May take long, hence progress.
   // @throws InputError for what the input does not allow; Stopped.
@@ -171,6 +174,8 @@ class Session {
   double base_error(const Progress& progress = {});
 
  private:
+  explicit Session(std::unique_ptr<SessionStages> stages);
+
   std::unique_ptr<SessionStages> stages_;
 };
 

@@ -29,6 +29,7 @@ struct SessionStages {
   SessionStages(const std::filesystem::path& folder,
                 acquisition::Unreadable unreadable)
       : test(folder, unreadable) {}
+  explicit SessionStages(const Measurement& of) : test(of) {}
 
   Measurement test;
   std::optional<structure::Deck> deck;
