@@ -126,8 +126,11 @@ struct Judged {
 Judged judged(const Comparison& comparison,
               const char* when,
               const ReportData& data) {
-  Judged found{
-      &comparison, when, criteria_of(comparison, data.modes.modes.size())};
+  Judged found{&comparison,
+               when,
+               criteria_of(comparison, data.modes.modes.size()),
+               {},
+               {}};
   found.worst = worst_of(found.modes);
   found.tally = tally(found.modes, data.notes.limits);
   return found;

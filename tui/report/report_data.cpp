@@ -129,7 +129,8 @@ ReportData report_data(Session& session,
   data.date = today();
   data.bundle = session.bundle();
   data.notes = acquisition::read_test_notes(bundle);
-  if (!data.bundle.runs.empty()) data.hits = session.hits(progress);
+  const bool recorded = !data.bundle.frfs && !data.bundle.modes;
+  if (recorded) data.hits = session.hits(progress);
   data.overruled = session.overruled();
   data.frfs = session.frfs(progress);
   data.modes = session.modes(progress);
