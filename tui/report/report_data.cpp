@@ -129,8 +129,13 @@ ReportData report_data(Session& session,
   data.date = today();
   data.bundle = session.bundle();
   data.notes = acquisition::read_test_notes(bundle);
-  const bool recorded = !data.bundle.frfs && !data.bundle.modes;
-  if (recorded) data.hits = session.hits(progress);
+  if (data.bundle.frfs || data.bundle.modes) {
+    // Those that ready FRFs came from are no part of the sheet.
+    data.bundle.runs.clear();
+    data.bundle.channels.clear();
+  } else {
+    data.hits = session.hits(progress);
+  }
   data.overruled = session.overruled();
   data.frfs = session.frfs(progress);
   data.modes = session.modes(progress);
