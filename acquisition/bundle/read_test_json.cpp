@@ -4,6 +4,7 @@
 #include "acquisition/bundle/uff_file.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
+#include "acquisition/foundation/nearest_word.hpp"
 #include "acquisition/foundation/parse_json.hpp"
 #include "acquisition/foundation/utf8.hpp"
 
@@ -15,6 +16,7 @@
 #include <iterator>
 #include <string>
 #include <system_error>
+#include <vector>
 
 namespace tapfit::acquisition {
 namespace {
@@ -22,14 +24,29 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
+// Where something of nearly that name lies there.
+std::string meant_beside(const fs::path& file) {
+  constexpr std::size_t most_looked_at = 10000;
+  const fs::path folder = file.parent_path();
+  std::vector<std::string> names;
+  std::error_code fault;
+  fs::directory_iterator at(folder.empty() ? fs::path(".") : folder, fault);
+  for (; !fault && at != fs::directory_iterator() &&
+         names.size() < most_looked_at;
+       at.increment(fault)) {
+    names.push_back(at->path().filename().string());
+  }
+  return did_you_mean(file.filename().string(), names);
+}
+
 std::string read_text(const fs::path& file) {
   std::ifstream stream = open_input(file, most_text_bytes);
   if (!stream) {
-    throw InputError(
-        "cannot be opened",
-        file.string(),
-        "give the folder of a test bundle, with a test.json in it, or a "
-        "universal file");
+    throw InputError("cannot be opened",
+                     file.string(),
+                     meant_beside(file) +
+                         "give the folder of a test bundle, with a test.json "
+                         "in it, or a universal file");
   }
   return {std::istreambuf_iterator<char>(stream), {}};
 }

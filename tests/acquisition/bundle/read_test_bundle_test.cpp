@@ -283,6 +283,17 @@ TEST_F(Bundle, SaysWhatIsInAFilesPlace) {
   }
 }
 
+TEST_F(Bundle, IsFoundUnderNearlyItsName) {
+  std::filesystem::create_directory(folder_.path() / "plate-absorber");
+  try {
+    (void)read_test_bundle(folder_.path() / "plate-absorbr");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.remedy(),
+                ::testing::StartsWith("did you mean plate-absorber? "));
+  }
+}
+
 TEST_F(Bundle, NamesMissingFields) {
   json document = good();
   document["runs"][0]["hammer"].erase("node");
