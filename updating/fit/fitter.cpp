@@ -21,6 +21,20 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 
+std::vector<effects::ParameterSpec> parameters_of(const EffectInstance& effect,
+                                                  const FrfModel& model) {
+  std::vector<effects::ParameterSpec> specs =
+      effect.effect->parameters(effect.where, model.context());
+  for (const StiffnessTerm& term : model.base().terms) {
+    if (!is_of(term, effect) || specs.empty()) continue;
+    effects::ParameterSpec& spec = specs[term.parameter];
+    spec.start = term.start;
+    spec.lower = term.lower;
+    spec.upper = term.upper;
+  }
+  return specs;
+}
+
 Fitter::Fitter(const BaseBuilder& builder, FitProblem problem)
     : builder_(&builder), problem_(std::move(problem)) {}
 
@@ -132,7 +146,7 @@ class Fitter::Course {
   void approach(const MinimiseOptions& options) {
     for (std::size_t k = 0; k + 1 < targets_.size(); ++k) {
       go_on(k, options);
-      take_damping(result_.state, stands_out());
+      take_damping();
     }
   }
 
@@ -143,9 +157,7 @@ class Fitter::Course {
     model_ = fitter_->with_coarser(std::move(model_), result_.state.effects);
     bool there = false;
     for (int round = 0; round < rounds; ++round) {
-      if (round > 0 && !take_damping(result_.state, stands_out()) && there) {
-        break;
-      }
+      if (round > 0 && !take_damping() && there) break;
       const Eigen::VectorXd from = pack(result_.state);
       if (model_->coarser() == nullptr) {
         go_on(last, options);
@@ -155,7 +167,6 @@ class Fitter::Course {
       if (is_enough(*progress_)) break;
       there = is_there(from);
     }
-    if (!is_enough(*progress_)) settle_damping(options, rounds);
   }
 
   /// The lines that count as they are, with no end in view.
@@ -167,12 +178,9 @@ class Fitter::Course {
   /// better.
   void try_from(ModelState state, const MinimiseOptions& options) {
     const UpdateResult found = result_;
-    const std::size_t steps = history_.size();
     result_.state = std::move(state);
     go_on(targets_.size() - 1, options);
-    if (result_.objective <= found.objective) return;
-    result_ = found;
-    history_.resize(steps);
+    if (result_.objective > found.objective) result_ = found;
   }
 
   [[nodiscard]] const UpdateResult& result() const { return result_; }
@@ -191,9 +199,6 @@ class Fitter::Course {
  private:
   // Of a parameter's standard deviation.
   static constexpr double settled_step = 0.05;
-  // Of the ratio of the modes beyond the band: fits of the same effects end at
-  // the same error to a thousandth of it, whichever way they came.
-  static constexpr double settled_damping = 0.01;
 
   void take_form(Fit& fit) {
     Target& target = targets_.back();
@@ -250,30 +255,17 @@ class Fitter::Course {
     return false;
   }
 
-  // Whether the modes beyond the band have another ratio than was assumed, by
-  // more than that part of it.
-  bool take_damping(ModelState& state, double noticed) const {
+  // Whether the modes beyond the band have another ratio than was assumed:
+  // within the scatter of ratios there is no telling.
+  bool take_damping() {
+    ModelState& state = result_.state;
     const double now = typical_damping(result_);
-    if (std::abs(std::log(now / state.zeta_other)) < noticed) return false;
+    if (std::abs(std::log(now / state.zeta_other)) <
+        0.2 * fitter_->problem_.damping_spread) {
+      return false;
+    }
     state.zeta_other = now;
     return true;
-  }
-
-  // Within the scatter of ratios there is no telling.
-  [[nodiscard]] double stands_out() const {
-    return 0.2 * fitter_->problem_.damping_spread;
-  }
-
-  // There the ratio is taken that does better, so that fits of the same effects
-  // end alike whichever way they came.
-  void settle_damping(const MinimiseOptions& options, int rounds) {
-    for (int round = 0; round < rounds; ++round) {
-      ModelState state = result_.state;
-      if (!take_damping(state, settled_damping)) return;
-      const double taken = state.zeta_other;
-      try_from(std::move(state), options);
-      if (result_.state.zeta_other != taken) return;
-    }
   }
 
   [[nodiscard]] bool is_there(const Eigen::VectorXd& from) const {
