@@ -126,14 +126,9 @@ struct Judged {
 Judged judged(const Comparison& comparison,
               const char* when,
               const ReportData& data) {
-  Judged found{&comparison,
-               when,
-               criteria_of(comparison, data.modes.modes.size()),
-               {},
-               {}};
-  found.worst = worst_of(found.modes);
-  found.tally = tally(found.modes, data.notes.limits);
-  return found;
+  const auto modes = criteria_of(comparison, data.modes.modes.size());
+  const Tally counted = tally(modes, data.notes.limits);
+  return {&comparison, when, modes, worst_of(modes), counted};
 }
 
 /// As delivered, and as it is now where that is another model.

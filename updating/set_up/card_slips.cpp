@@ -63,7 +63,7 @@ bool uses(const structure::ShellProperty& property, int material) {
 void add_bars(const Deck& deck, std::vector<CardSlip>& slips) {
   for (const auto& [id, elements] : by_property(deck.bars)) {
     const structure::BarProperty& bar = deck.bar_properties.at(id);
-    if (!differ(bar.I1, bar.I2)) continue;
+    if (!(bar.I1 > 0.0 && bar.I2 > 0.0) || !differ(bar.I1, bar.I2)) continue;
     slips.push_back(
         {fmt::format("model: {}, exchange I1 and I2",
                      card_name(bar.where, fmt::format("PBAR {}", id))),

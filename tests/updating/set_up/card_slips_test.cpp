@@ -31,6 +31,8 @@ TEST(CardSlips, OfBarsAreTheirSecondMoments) {
   EXPECT_EQ(deck.bar_properties[3].J, 2e-8);
   deck.bar_properties[3].I2 = deck.bar_properties[3].I1;
   EXPECT_TRUE(card_slips(deck).empty()) << "a round bar";
+  deck.bar_properties[3].I2 = 0.0;
+  EXPECT_TRUE(card_slips(deck).empty()) << "it bends in one plane";
 }
 
 TEST(CardSlips, AreEffectsOfTheDeckOnTheirElements) {
