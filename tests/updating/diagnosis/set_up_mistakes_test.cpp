@@ -3,6 +3,7 @@
 
 #include "tests/updating/support/plate_experiment.hpp"
 #include "updating/catalogue/catalogue.hpp"
+#include "updating/diagnosis/effect_forms.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +84,23 @@ TEST(SetUpMistakes, UnitsAreNamedWithTheirFactor) {
     ASSERT_EQ(d.ladder[0].parameters.size(), 1U);
     EXPECT_EQ(d.ladder[0].parameters[0].name, "factor");
   }
+}
+
+// Only where a unit does as well.
+TEST(SetUpMistakes, GainThatAUnitExplainsIsTheUnit) {
+  const auto plain_of = [](const EffectInstance& hidden) {
+    const PlateExperiment test({hidden}, 0.02, 12);
+    const EffectInstance gain = {
+        &effects::find("channel-gain"), {.channels = {"hammer"}}, {0.5}};
+    const Fitter& fitter = test.fitter();
+    const Fit fit = fitter.fit({gain}, fitter.model_for({gain}));
+    return in_plain_form(fit, 0, fitter, {});
+  };
+  const auto unit = plain_of(of_channel("unit-factor", "hammer", "1/4.448"));
+  ASSERT_TRUE(unit);
+  EXPECT_EQ(unit->effects[0].where.variant, "1/4.448");
+  EXPECT_FALSE(plain_of(
+      {&effects::find("channel-gain"), {.channels = {"hammer"}}, {1.3}}));
 }
 
 // What makes up for the rest at first comes out as a gain of its own.
