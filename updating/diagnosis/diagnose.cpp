@@ -133,7 +133,8 @@ Climbed climbed(const Fitter& fitter,
   result.floor = options.floor;
   result.contour = options.contour;
   result.warnings = fitter.problem().measured.statements;
-  result.error_base = selection.current().result.error;
+  result.error_base =
+      fitter.settled(selection.current(), progress).result.error;
   result.error_fitted = result.error_base;
   // Whether another rung follows is not known: each gets a good part of what is
   // left, the first, which looks deepest, the most of all.
@@ -146,7 +147,7 @@ Climbed climbed(const Fitter& fitter,
     done = next;
   }
   selection.settle();
-  const Fit& found = selection.current();
+  const Fit found = fitter.settled(selection.current(), progress);
   result.error_best = found.result.error;
   const double data = independent_data(fitter.target(), found.result.residual);
   const FormShare form =

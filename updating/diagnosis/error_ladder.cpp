@@ -3,6 +3,7 @@
 #include "updating/fit/estimates.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,21 +22,20 @@ std::vector<Rung> ladder_of(Fit fit,
       fit.effects.begin() + static_cast<std::ptrdiff_t>(already));
   std::vector<Rung> ladder;
   while (!left.empty()) {
-    double least = 1e300;
     std::size_t next = left.front();
+    std::optional<Fit> best;
     for (const std::size_t k : left) {
-      if (left.size() == 1) {
-        least = fit.result.error;
-        break;
-      }
+      if (left.size() == 1) break;
       std::vector<EffectInstance> tried = so_far;
       tried.push_back(fit.effects[k]);
-      const Fit with = fitter.fit(tried, fitter.model_for(tried), progress);
-      if (with.result.error < least) {
-        least = with.result.error;
-        next = k;
-      }
+      Fit with = fitter.fit(tried, fitter.model_for(tried), progress);
+      if (best && with.result.error >= best->result.error) continue;
+      best = std::move(with);
+      next = k;
     }
+    const double least =
+        best ? fitter.settled(std::move(*best), progress).result.error
+             : fit.result.error;
     Rung rung;
     rung.added = all[next - already].name;
     rung.probability = all[next - already].probability;

@@ -21,20 +21,6 @@ namespace tapfit::updating {
 
 using Eigen::Index;
 
-std::vector<effects::ParameterSpec> parameters_of(const EffectInstance& effect,
-                                                  const FrfModel& model) {
-  std::vector<effects::ParameterSpec> specs =
-      effect.effect->parameters(effect.where, model.context());
-  for (const StiffnessTerm& term : model.base().terms) {
-    if (!is_of(term, effect) || specs.empty()) continue;
-    effects::ParameterSpec& spec = specs[term.parameter];
-    spec.start = term.start;
-    spec.lower = term.lower;
-    spec.upper = term.upper;
-  }
-  return specs;
-}
-
 Fitter::Fitter(const BaseBuilder& builder, FitProblem problem)
     : builder_(&builder), problem_(std::move(problem)) {}
 
@@ -133,20 +119,18 @@ class Fitter::Course {
     result_.state = std::move(start);
   }
 
-  /// Goes on from an approach().
-  Course(const Fitter& fitter, Fit approached, const Progress& progress)
-      : Course(fitter,
-               std::move(approached.model),
-               std::move(approached.result.state),
-               progress) {
-    history_ = std::move(approached.result.history);
+  /// Goes on from where another ended.
+  Course(const Fitter& fitter, Fit ended, const Progress& progress)
+      : Course(fitter, std::move(ended.model), {}, progress) {
+    result_ = std::move(ended.result);
+    history_ = std::move(result_.history);
   }
 
   /// The lines before those that count, widest first.
   void approach(const MinimiseOptions& options) {
     for (std::size_t k = 0; k + 1 < targets_.size(); ++k) {
       go_on(k, options);
-      take_damping();
+      take_damping(result_.state, stands_out());
     }
   }
 
@@ -157,7 +141,9 @@ class Fitter::Course {
     model_ = fitter_->with_coarser(std::move(model_), result_.state.effects);
     bool there = false;
     for (int round = 0; round < rounds; ++round) {
-      if (round > 0 && !take_damping() && there) break;
+      if (round > 0 && !take_damping(result_.state, stands_out()) && there) {
+        break;
+      }
       const Eigen::VectorXd from = pack(result_.state);
       if (model_->coarser() == nullptr) {
         go_on(last, options);
@@ -178,9 +164,27 @@ class Fitter::Course {
   /// better.
   void try_from(ModelState state, const MinimiseOptions& options) {
     const UpdateResult found = result_;
+    const std::size_t steps = history_.size();
     result_.state = std::move(state);
     go_on(targets_.size() - 1, options);
-    if (result_.objective > found.objective) result_ = found;
+    if (result_.objective <= found.objective) return;
+    result_ = found;
+    history_.resize(steps);
+  }
+
+  /// The ratio of the modes beyond the band as near as it can be told, as long
+  /// as that does better. False where it stays as it was.
+  bool settle_damping(const MinimiseOptions& options, int rounds) {
+    bool moved = false;
+    for (int round = 0; round < rounds; ++round) {
+      ModelState state = result_.state;
+      if (!take_damping(state, settled_damping)) break;
+      const double taken = state.zeta_other;
+      try_from(std::move(state), options);
+      if (result_.state.zeta_other != taken) break;
+      moved = true;
+    }
+    return moved;
   }
 
   [[nodiscard]] const UpdateResult& result() const { return result_; }
@@ -199,6 +203,9 @@ class Fitter::Course {
  private:
   // Of a parameter's standard deviation.
   static constexpr double settled_step = 0.05;
+  // Of the ratio of the modes beyond the band: then the error stands to a
+  // thousandth of it.
+  static constexpr double settled_damping = 0.01;
 
   void take_form(Fit& fit) {
     Target& target = targets_.back();
@@ -255,17 +262,18 @@ class Fitter::Course {
     return false;
   }
 
-  // Whether the modes beyond the band have another ratio than was assumed:
-  // within the scatter of ratios there is no telling.
-  bool take_damping() {
-    ModelState& state = result_.state;
+  // Whether the modes beyond the band have another ratio than was assumed, by
+  // more than that part of it.
+  bool take_damping(ModelState& state, double noticed) const {
     const double now = typical_damping(result_);
-    if (std::abs(std::log(now / state.zeta_other)) <
-        0.2 * fitter_->problem_.damping_spread) {
-      return false;
-    }
+    if (std::abs(std::log(now / state.zeta_other)) < noticed) return false;
     state.zeta_other = now;
     return true;
+  }
+
+  // Within the scatter of ratios there is no telling.
+  [[nodiscard]] double stands_out() const {
+    return 0.2 * fitter_->problem_.damping_spread;
   }
 
   [[nodiscard]] bool is_there(const Eigen::VectorXd& from) const {
@@ -346,6 +354,13 @@ Fit Fitter::fit_beside(const Fit& fit,
   ModelState first = beside(*model, effects, fit);
   Course course(*this, std::move(model), std::move(first), progress);
   course.arrive(exact, rounds);
+  return std::move(course).finished();
+}
+
+Fit Fitter::settled(Fit fit, const Progress& progress) const {
+  if (problem_.modes || is_enough(progress)) return fit;
+  Course course(*this, fit, progress);
+  if (!course.settle_damping(exact, rounds)) return fit;
   return std::move(course).finished();
 }
 

@@ -17,6 +17,20 @@ constexpr int start_scan = 16;
 
 }  // namespace
 
+std::vector<effects::ParameterSpec> parameters_of(const EffectInstance& effect,
+                                                  const FrfModel& model) {
+  std::vector<effects::ParameterSpec> specs =
+      effect.effect->parameters(effect.where, model.context());
+  for (const StiffnessTerm& term : model.base().terms) {
+    if (!is_of(term, effect) || specs.empty()) continue;
+    effects::ParameterSpec& spec = specs[term.parameter];
+    spec.start = term.start;
+    spec.lower = term.lower;
+    spec.upper = term.upper;
+  }
+  return specs;
+}
+
 ModelState Fitter::first_state(
     const FrfModel& model, const std::vector<EffectInstance>& effects) const {
   ModelState state;

@@ -80,7 +80,9 @@ Fit SessionStages::fit_now(const std::vector<EffectInstance>& effects,
   const bool same =
       &ground_of(before.effects, progress) == &ground_of(effects, progress);
   if (!choice.is_plain()) {
-    return fitter.fit(effects, base, progress, same ? &before : nullptr);
+    return fitter.settled(
+        fitter.fit(effects, base, progress, same ? &before : nullptr),
+        progress);
   }
   if (!plain) {
     plain = plain_task(
