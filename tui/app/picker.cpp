@@ -1,9 +1,11 @@
 #include "tui/app/picker.hpp"
 
+#include "acquisition/foundation/input_error.hpp"
 #include "tui/app/recent_bundles.hpp"
 #include "tui/options/recordings_folder.hpp"
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/text.hpp"
+#include "tui/widgets/text_box.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +21,7 @@ namespace fs = std::filesystem;
 constexpr const char* recent = "recent";
 constexpr const char* demonstration = "demonstration";
 constexpr const char* bundle = "bundle";
+constexpr const char* recording = "recording";
 constexpr const char* folder = "folder";
 
 bool is_file(const fs::path& path) {
@@ -61,11 +64,32 @@ void draw_keys(Screen& screen, int y) {
                                   {"j k", "move"},
                                   {"h", "folder above"},
                                   {"/", "filter"},
+                                  {"?", "help"},
                                   {"Esc", "to the start"},
                                   {"q", "quit"}}) {
     x = screen.text(x, y, key, {.bold = true, .reverse = true}) + 1;
     x = screen.text(x, y, what, {.reverse = true}) + 2;
   }
+}
+
+std::vector<std::string> help_lines() {
+  return {
+      "A test is a folder with test.json, or a universal file. Enter opens it; "
+      "work that was begun is taken up where it was left.",
+      "",
+      "recent         tests opened lately",
+      "demonstration  a test whose answer is known; tapfit tour leads through "
+      "it",
+      "bundle         a test in this folder",
+      "recording      a file of time records (CSV, MATLAB, HDF5, netCDF, TDMS, "
+      "numpy, WAV, FLAC): Enter shows the test that it makes, a second one "
+      "makes it, in a folder beside the file",
+      "folder         Enter looks into it, h into the one above",
+      "",
+      "/ shows only what holds the letters that follow; Esc shows all and goes "
+      "back to the folder that tapfit was started in.",
+      "Several files of one test, a deck, or points of other names: tapfit "
+      "import --help"};
 }
 
 }  // namespace
@@ -97,16 +121,20 @@ void Picker::look_into(const fs::path& where) {
       entries_.push_back({demonstration, *start_.demonstration});
     }
   }
+  std::vector<Entry> recordings;
   std::vector<Entry> folders;
   if (where.has_relative_path()) folders.push_back({folder, where / ".."});
   for (const fs::path& path : paths_in(where)) {
     std::error_code fault;
     if (is_bundle(path)) {
       entries_.push_back({bundle, path});
+    } else if (is_recording(path)) {
+      recordings.push_back({recording, path});
     } else if (fs::is_directory(path, fault)) {
       folders.push_back({folder, path});
     }
   }
+  entries_.insert(entries_.end(), recordings.begin(), recordings.end());
   entries_.insert(entries_.end(), folders.begin(), folders.end());
 }
 
@@ -130,11 +158,53 @@ void Picker::open_selected() {
   const Table rows = table();
   if (none_shown(rows, list_) || entries_.empty()) return;
   const Entry entry = entries_[settled(rows, list_)];
-  if (entry.kind != folder) {
+  if (entry.kind == recording) {
+    offer(entry.path);
+  } else if (entry.kind != folder) {
     picked_ = entry.path;
   } else {
     look_into(entry.path.filename() == ".." ? folder_.parent_path()
                                             : entry.path);
+  }
+}
+
+void Picker::show_box(const std::string& title,
+                      const std::vector<std::string>& lines) {
+  constexpr int widest = 70;
+  box_ = Box{.title = title, .lines = {}, .offer = std::nullopt};
+  for (const std::string& line : lines) {
+    const auto parts = wrapped(line, std::clamp(canvas_.width - 8, 1, widest));
+    box_->lines.insert(box_->lines.end(), parts.begin(), parts.end());
+    if (parts.empty()) box_->lines.emplace_back();
+  }
+}
+
+void Picker::offer(const fs::path& file) {
+  try {
+    const ImportOffer offer = offer_import(file);
+    show_box(file.filename().string(), lines_of(offer));
+    box_->offer = offer;
+  } catch (const InputError& error) {
+    refuse(error.what());
+  }
+}
+
+void Picker::press_box(Key key) {
+  const int rows = text_box_rows(canvas_.height);
+  const int last = std::max(static_cast<int>(box_->lines.size()) - rows, 0);
+  if (key == U'j' || key == keys::down || key == keys::wheel_down) {
+    box_->first = std::min(box_->first + 1, last);
+  } else if (key == U'k' || key == keys::up || key == keys::wheel_up) {
+    box_->first = std::max(box_->first - 1, 0);
+  } else if (key == keys::enter && box_->offer) {
+    const ImportOffer offer = *std::exchange(box_, std::nullopt)->offer;
+    try {
+      picked_ = accept(offer);
+    } catch (const InputError& error) {
+      refuse(error.what());
+    }
+  } else {
+    box_.reset();
   }
 }
 
@@ -164,11 +234,14 @@ void Picker::click(Key key) {
 void Picker::press(Key key) {
   if (key == keys::resize || key.code == keys::release) return;
   message_.clear();
+  if (box_) return press_box(key);
   if (filtering_) return press_filter(key);
   if (key == U'q' || key == Key(U'c', true)) {
     quit_ = true;
   } else if (key == U'/') {
     filtering_ = true;
+  } else if (key == U'?') {
+    show_box("help", help_lines());
   } else if (key == keys::escape) {
     look_into(start_.folder);
   } else if (key == U'h' || key == keys::left || key == keys::backspace) {
@@ -200,6 +273,9 @@ std::string Picker::next_words() const {
            "panel "
            "frame";
   }
+  if (entry.kind == recording) {
+    return "next: Enter shows which test this file makes";
+  }
   return entry.kind == bundle ? "next: Enter opens this test"
                               : "next: Enter looks into this folder";
 }
@@ -225,9 +301,9 @@ Screen Picker::draw() const {
   screen.text(
       1,
       hint,
-      fitting({"CSV, MATLAB, HDF5, TDMS and numpy files become a test by "
-               "tapfit import FILE",
-               "Other files become a test by tapfit import FILE"},
+      fitting({"several files of one test: tapfit import FILE... makes one "
+               "test of them",
+               "several files of one test: tapfit import FILE..."},
               width),
       {.colour = Colour::Grey},
       width);
@@ -239,6 +315,10 @@ Screen Picker::draw() const {
     screen.text(1, y++, line, {.colour = Colour::Red}, width);
   }
   draw_keys(screen, canvas_.height - 1);
+  if (box_) {
+    draw_text_box(
+        screen, box_->title, box_->lines, {.colour = Colour::Sky}, box_->first);
+  }
   return screen;
 }
 

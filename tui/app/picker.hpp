@@ -2,6 +2,7 @@
 // demonstration, and the folders to look for others in. Keys in, screens out.
 #pragma once
 
+#include "tui/app/import_offer.hpp"
 #include "tui/screen/key.hpp"
 #include "tui/screen/screen.hpp"
 #include "tui/widgets/table.hpp"
@@ -38,13 +39,26 @@ class Picker {
 
  private:
   struct Entry {
-    std::string kind;  ///< "recent", "demonstration", "bundle", "folder"
+    /// "recent", "demonstration", "bundle", "recording", "folder"
+    std::string kind;
     std::filesystem::path path;
+  };
+
+  /// Over the list until a key leaves it.
+  struct Box {
+    std::string title;
+    std::vector<std::string> lines;
+    std::optional<ImportOffer> offer;  ///< which Enter accepts
+    int first = 0;
   };
 
   /// Looks into a folder; at the start, recent bundles come first.
   void look_into(const std::filesystem::path& folder);
   void press_filter(Key key);
+  void press_box(Key key);
+  void show_box(const std::string& title,
+                const std::vector<std::string>& lines);
+  void offer(const std::filesystem::path& recording);
   void click(Key key);
   void open_selected();
   [[nodiscard]] Table table() const;
@@ -55,6 +69,7 @@ class Picker {
   std::filesystem::path folder_;
   std::vector<Entry> entries_;
   ListState list_;
+  std::optional<Box> box_;
   bool filtering_ = false;
   bool quit_ = false;
   std::optional<std::filesystem::path> picked_;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -90,6 +91,55 @@ TEST_F(PickerTest, SaysWhyABundleIsRefused) {
   one.refuse("test.json: is no JSON (see line 1)");
   EXPECT_TRUE(holds(seen(one, ""), "is no JSON"));
   EXPECT_FALSE(holds(seen(one, "j"), "is no JSON"));
+}
+
+/// Half a second of a blow and of what rings after it.
+std::string hammer_csv() {
+  std::string text = "time [s],hammer [N],acc1 [m/s^2]\n";
+  for (int n = 0; n < 1024; ++n) {
+    const double t = n / 2048.0;
+    const double force = n >= 100 && n < 108 ? 50.0 : 0.0;
+    const double ring = n < 100 ? 0.0 : std::exp(-20.0 * t) * std::sin(600 * t);
+    text += fmt::format("{:.8f},{:.6g},{:.6g}\n", t, force, ring);
+  }
+  return text;
+}
+
+TEST_F(PickerTest, MakesATestOfARecording) {
+  folder_.write("tap.csv", hammer_csv());
+  Picker one = picker();
+  EXPECT_TRUE(holds(seen(one, ""), "recording      tap.csv"));
+  const std::string offered = seen(one, "/tap\n\n");
+  expect_fits(offered, 80);
+  EXPECT_TRUE(holds(offered, "becomes the test tap/")) << offered;
+  EXPECT_TRUE(holds(offered, "hammer  \"hammer\" at 1")) << offered;
+  EXPECT_TRUE(holds(offered, "assumed:")) << offered;
+  one.press(Key(keys::escape));
+  EXPECT_FALSE(fs::exists(folder_.path() / "tap"));
+  EXPECT_EQ(one.take_picked(), std::nullopt);
+  (void)seen(one, "\n\n");
+  EXPECT_EQ(one.take_picked(), folder_.path() / "tap");
+  EXPECT_TRUE(fs::exists(folder_.path() / "tap" / "test.json"));
+  const std::string again = seen(one, "\n");
+  EXPECT_TRUE(holds(again, "there is a test already")) << again;
+}
+
+TEST_F(PickerTest, SaysWhyARecordingIsNoTest) {
+  folder_.write("tap.csv", "nothing\n");
+  Picker one = picker();
+  const std::string text = seen(one, "/tap\n\n");
+  EXPECT_FALSE(holds(text, "becomes")) << text;
+  EXPECT_TRUE(holds(text, "tap.csv")) << text;
+  EXPECT_FALSE(fs::exists(folder_.path() / "tap"));
+}
+
+TEST_F(PickerTest, ExplainsItself) {
+  Picker one = picker();
+  const std::string text = seen(one, "?");
+  expect_fits(text, 80);
+  EXPECT_TRUE(holds(text, "a file of time records")) << text;
+  EXPECT_FALSE(holds(seen(one, "j?"), "a file of time records"));
+  EXPECT_FALSE(one.quit());
 }
 
 TEST_F(PickerTest, LeavesAndFitsWhereverItIsShown) {
