@@ -3,6 +3,7 @@
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
 #include "updating/structure/cards/case_changes.hpp"
+#include "updating/structure/cards/repeated_cards.hpp"
 
 #include <fmt/format.h>
 
@@ -145,6 +146,7 @@ BulkData read_bulk_data(const std::filesystem::path& path) {
   result.warnings = std::move(source.warnings);
   CardJoiner joiner(result.cards);
   for (const SourceLine& line : source.bulk) joiner.add(line);
+  result.cards = written_out(std::move(result.cards));
   std::set<std::string> names;
   for (const Card& card : result.cards) names.insert(card.name());
   CaseChanges changes = case_changes(result.control, names);

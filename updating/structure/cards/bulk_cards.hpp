@@ -28,6 +28,8 @@ struct Card {
   std::string where;  ///< "file:line" of its first line
   int line = 0;
   std::vector<std::size_t> lines;  ///< ascending, in BulkData::lines
+  /// Written as a repetition of the one before; others may have its line.
+  bool repeated = false;
 
   [[nodiscard]] const std::string& name() const { return fields.front(); }
 };
@@ -45,7 +47,8 @@ struct BulkData {
 /// apart from lines that look like executive or case control.
 ///
 /// @throws InputError for a file that cannot be read, a continuation that
-///   follows nothing, a line with too many fields, an INCLUDE that goes round
+///   follows nothing, a line with too many fields, an INCLUDE that goes round,
+///   a repetition of nothing
 [[nodiscard]] BulkData read_bulk_data(const std::filesystem::path& path);
 
 /// The cards that lines of bulk data make, comments left out.

@@ -1,8 +1,8 @@
 #include "updating/structure/cards/card_reader.hpp"
 
-#include "updating/structure/cards/bulk_numbers.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/cards/bulk_lines.hpp"
+#include "updating/structure/cards/bulk_numbers.hpp"
 
 #include <fmt/format.h>
 

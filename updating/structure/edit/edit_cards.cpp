@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace tapfit::structure {
@@ -68,6 +69,44 @@ Lines lines_of(const Card& card, const BulkData& bulk) {
   return lines;
 }
 
+// Repeated cards stay what they were where the one before them changes.
+// @return by card; where none changes, repetitions may stay as written
+std::map<std::size_t, Lines> repeated_cards(const CardChanges& changes) {
+  std::map<std::size_t, Lines> text;
+  if (changes.changed.empty()) return text;
+  const auto plain = [](const Card& card) {
+    Card name;
+    name.fields = {card.name()};
+    return lines_like(card, name, {card.name() + ","});
+  };
+  const std::vector<Card>& cards = changes.bulk.cards;
+  for (std::size_t at = 0; at < cards.size(); ++at) {
+    if (cards[at].repeated) text[at] = plain(cards[at]);
+  }
+  for (const ChangedCard& change : changes.changed) {
+    const auto own = text.find(change.at);
+    if (own == text.end()) continue;
+    own->second.clear();
+    for (const Card& now : change.now) {
+      std::ranges::move(plain(now), std::back_inserter(own->second));
+    }
+  }
+  return text;
+}
+
+void write_out(const CardChanges& changes,
+               const std::map<std::size_t, Lines>& repeated,
+               EditedDeck& edited) {
+  for (const auto& [at, text] : repeated) {
+    const std::vector<std::size_t>& lines = changes.bulk.cards[at].lines;
+    for (const std::size_t k : lines) {
+      edited.replaced.try_emplace(k, Lines{"$ was: " + edited.lines[k]});
+    }
+    Lines& there = edited.replaced.at(lines.back());
+    there.insert(there.end(), text.begin(), text.end());
+  }
+}
+
 }  // namespace
 
 CardChanges change_cards(const std::filesystem::path& deck,
@@ -109,7 +148,10 @@ Lines EditedDeck::text() const {
 
 EditedDeck bulk_text(const CardChanges& changes, const Lines& added) {
   EditedDeck edited{changes.bulk.lines, {}};
+  const std::map<std::size_t, Lines> repeated = repeated_cards(changes);
+  write_out(changes, repeated, edited);
   for (const ChangedCard& change : changes.changed) {
+    if (repeated.contains(change.at)) continue;
     const Card& card = changes.bulk.cards[change.at];
     const Lines written = lines_of(card, changes.bulk);
     const bool stays =

@@ -69,9 +69,6 @@ bool is_unchosen(const std::string& name, const CaseControl& control) {
 }
 
 std::string consequence(const std::string& name) {
-  if (name.starts_with("=")) {
-    return "the cards that it repeats are missing from the model";
-  }
   if (name.starts_with("RB") || name.starts_with("RROD") ||
       name.starts_with("RTRPLT") || name.starts_with("RS") ||
       name.starts_with("RJOINT") || name.starts_with("MPC")) {
@@ -122,7 +119,7 @@ bool is_needed(const std::string& name) {
       name, {"C",      "MFLUID",  "GMBC",   "GMSPC",  "RB",      "RROD",
              "RTRPLT", "RSPLINE", "RSSCON", "RJOINT", "MPC",     "NSM",
              "SPC",    "BGSET",   "BGADD",  "BCTSET", "BCTABLE", "BCBODY",
-             "SEBULK", "SECONCT", "SEELT",  "SELOC",  "GENEL",   "="});
+             "SEBULK", "SECONCT", "SEELT",  "SELOC",  "GENEL"});
 }
 
 // Keywords of Abaqus hold blanks, which do not count.
@@ -179,8 +176,7 @@ UnsupportedCards unsupported_cards(const BulkData& bulk,
         is_default_card(card.name())) {
       continue;
     }
-    // "=19" repeats what "=" does.
-    Unknown& seen = unknown[card.name().starts_with("=") ? "=" : card.name()];
+    Unknown& seen = unknown[card.name()];
     if (seen.count++ == 0) {
       seen.line = card.line;
       seen.where = card.where;
@@ -233,13 +229,10 @@ void refuse_needed(const UnsupportedCards& cards,
   throw InputError(
       text,
       left.front()->where,
-      left.front()->name == "="
-          ? "Write the repeated cards out: Nastran does with ECHO = PUNCH, and "
-            "preprocessors when they write a deck."
-          : fmt::format("Write it with cards that are read, or leave it out "
-                        "knowingly: \"ignore_cards\": [\"{0}\"] in test.json, "
-                        "--ignore-card {0} of tapfit model.",
-                        without_blanks(left.front()->name)));
+      fmt::format("Write it with cards that are read, or leave it out "
+                  "knowingly: \"ignore_cards\": [\"{0}\"] in test.json, "
+                  "--ignore-card {0} of tapfit model.",
+                  without_blanks(left.front()->name)));
 }
 
 }  // namespace tapfit::structure

@@ -253,9 +253,6 @@ TEST(BadDeck, CardIsUnknown) {
   expect_error(plate + "CGAP,6,1,1,2\n", "model.bdf:8", "CGAP (line 8");
   expect_error(plate + "CGAP,6,1,1,2\n", "", "missing from the model");
   expect_error(plate + "CGAP,6,1,1,2\n", "", "\"ignore_cards\": [\"CGAP\"]");
-  expect_error(
-      plate + "=,*1,=,*1.,==\n=3\n", "model.bdf:8", "cards that it repeats");
-  expect_error(plate + "=,*1,=,*1.,==\n=3\n", "", "ECHO = PUNCH");
   expect_error(plate + "NSM1,6,PSHELL,.1,1\n", "", "mass is missing");
   // Left out knowingly it is a warning.
   const Deck deck = read_deck(
