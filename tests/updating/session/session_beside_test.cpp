@@ -22,7 +22,8 @@ TEST(SessionBeside, MeasuresNothingAnewAndLeavesTheOther) {
   Session beside = session.beside();
   std::vector<std::string> worked_out;
   const Progress watched{
-      [&](std::string_view stage, double) { worked_out.emplace_back(stage); }};
+      [&](std::string_view stage, double) { worked_out.emplace_back(stage); },
+      {}};
   EXPECT_EQ(beside.modes(watched).modes.size(), modes);
   EXPECT_EQ(beside.frfs(watched).frfs.size(), session.frfs().frfs.size());
   EXPECT_TRUE(worked_out.empty()) << worked_out.front();
