@@ -1,5 +1,6 @@
 #include "updating/diagnosis/card_swap.hpp"
 
+#include "updating/comparison/compare.hpp"
 #include "updating/diagnosis/worth.hpp"
 #include "updating/search/screened.hpp"
 #include "updating/search/slip_fits.hpp"
@@ -23,8 +24,9 @@ constexpr std::size_t most_bases = 2;
 // exchange numbers that the measurement does not tell apart is no correction.
 std::vector<CardSlip> worth_a_base(const std::vector<CardSlip>& likely,
                                    const Fitter& fitter,
+                                   double near,
                                    const Progress& progress) {
-  const SlipFits screened = screen_slips(fitter, likely, progress);
+  const SlipFits screened = screen_slips(fitter, likely, near, progress);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < screened.slips.size(); ++k) {
     const double error = screened.slips[k].error;
@@ -40,25 +42,22 @@ std::vector<CardSlip> worth_a_base(const std::vector<CardSlip>& likely,
 
 }  // namespace
 
-std::optional<SetUpMistake> card_swap(const Fitter& fitter,
-                                      const Diagnosis& found,
-                                      const DiagnoseOptions& options,
-                                      const Progress& progress) {
-  double least = found.error_fitted;
-  for (const Candidate& effect : found.candidates) {
-    least = std::min(least, effect.error);
-  }
-  if (least <= clear_of_floor * options.floor) return std::nullopt;
+std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
+                                        const DiagnoseOptions& options,
+                                        const Progress& progress) {
+  // Numbers that are wrong may make the mesh too coarse for the band, too.
+  const double near =
+      hides_errors(options.floor) ? 0.0 : clear_of_floor * options.floor;
   std::vector<CardSlip> likely = card_slips(*fitter.problem().context.deck);
   likely.resize(std::min(most_slips, likely.size()));
   const SlipFits fits =
-      fit_slips(fitter, worth_a_base(likely, fitter, progress), progress);
+      fit_slips(fitter, worth_a_base(likely, fitter, near, progress), progress);
   const auto best = std::ranges::min_element(fits.slips, {}, &SlipFit::error);
   if (best == fits.slips.end()) return std::nullopt;
   // Each that was tried could have been found.
   const double gain = best->log_likelihood - fits.plain.log_likelihood -
                       std::log(static_cast<double>(likely.size()));
-  const bool less = best->error < worth_it * std::min(least, fits.plain.error);
+  const bool less = best->error < worth_it * fits.plain.error;
   if (!less || gain < very_strong) return std::nullopt;
   Location where;
   where.elements = best->elements;
@@ -68,6 +67,21 @@ std::optional<SetUpMistake> card_swap(const Fitter& fitter,
                       1.0 / (1.0 + std::exp(-gain)),
                       best->error,
                       best->edit};
+}
+
+bool explains_all(const SetUpMistake& slip, double as_written, double floor) {
+  return slip.error <= clear_of_floor * floor &&
+         as_written > clear_of_floor * slip.error;
+}
+
+bool leaves_less(const SetUpMistake& slip,
+                 const Diagnosis& found,
+                 double floor) {
+  double least = found.error_fitted;
+  for (const Candidate& effect : found.candidates) {
+    least = std::min(least, effect.error);
+  }
+  return least > clear_of_floor * floor && slip.error < worth_it * least;
 }
 
 }  // namespace tapfit::updating

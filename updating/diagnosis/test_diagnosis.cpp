@@ -4,24 +4,27 @@
 #include "modal/mass_loading/sensor_shifts.hpp"
 #include "modal/mass_loading/stated_masses.hpp"
 #include "updating/catalogue/catalogue.hpp"
+#include "updating/comparison/compare.hpp"
 #include "updating/diagnosis/card_swap.hpp"
 #include "updating/diagnosis/diagnose.hpp"
 #include "updating/diagnosis/set_up_mistakes.hpp"
 #include "updating/fit/corrected_model.hpp"
 #include "updating/fit/fit_observer.hpp"
+#include "updating/fit/overall_progress.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
 
 namespace tapfit::updating {
 
-DiagnoseOptions options_of_test(const FitContext& ground,
-                                const Comparison& base) {
+DiagnoseOptions options_of_test(const FitContext& ground) {
   DiagnoseOptions options;
-  options.floor = std::hypot(base.floor_noise, base.floor_mesh);
-  options.floor_noise = base.floor_noise;
-  options.contour = base.contour;
+  options.floor = std::hypot(ground.floor_noise, ground.floor_mesh);
+  options.floor_noise = ground.floor_noise;
+  options.contour = ground.contour;
   options.properties = ground.properties;
   return options;
 }
@@ -53,20 +56,25 @@ TwofoldDiagnosis cut_at_deck(Diagnosis diagnosis,
 
 namespace {
 
+std::unique_ptr<CorrectedModel> put_right(const SetUpMistake& slip,
+                                          const MeasuredTest& test,
+                                          const Progress& progress) {
+  return correct_model(
+      test,
+      {placed(effects::find(slip.mistake), slip.where, test.context)},
+      progress);
+}
+
 // What is missing from the deck once a number is put right: that comes first.
-Diagnosis with_deck_put_right(const Diagnosis& as_written,
-                              const SetUpMistake& slip,
-                              const Comparison& base,
-                              const MeasuredTest& test,
-                              const DiagnoseOptions& options,
+Diagnosis with_deck_put_right(const SetUpMistake& slip,
+                              const CorrectedModel& right,
+                              const DiagnoseOptions& as_written,
+                              double error_as_written,
                               const Progress& progress) {
-  const effects::Effect& effect = effects::find(slip.mistake);
-  const std::vector<EffectInstance> corrections = {
-      placed(effect, slip.where, test.context)};
-  const auto right = correct_model(test, corrections, progress);
-  DiagnoseOptions there = options_of_test(right->ground, base);
-  there.tried = options.tried;
-  Diagnosis d = diagnose(*right->ground.fitter, corrections, there, progress);
+  DiagnoseOptions there = options_of_test(right.ground);
+  there.tried = as_written.tried;
+  Diagnosis d =
+      diagnose(*right.ground.fitter, right.corrections, there, progress);
   Rung rung;
   rung.added = slip.mistake;
   rung.where = slip.where;
@@ -82,9 +90,35 @@ Diagnosis with_deck_put_right(const Diagnosis& as_written,
   d.set_up.insert(d.set_up.begin(), slip);
   d.warnings.insert(d.warnings.begin(), describe(slip));
   d.verdict = with_named(slip.mistake, d.verdict);
-  d.error_base = as_written.error_base;
-  d.error_fitted = as_written.error_fitted;
+  d.error_base = error_as_written;
+  d.error_fitted = error_as_written;
   return d;
+}
+
+// Of the deck as it is written, or put right where that does far better.
+Diagnosis diagnose_deck(const FitContext& ground,
+                        const MeasuredTest& test,
+                        const DiagnoseOptions& options,
+                        const Progress& progress) {
+  const Fitter& fitter = *ground.fitter;
+  const std::optional<SetUpMistake> slip =
+      likely_slip(fitter, options, part_of(progress, 0.0, 0.05));
+  if (!slip) {
+    return diagnose(fitter, {}, options, part_of(progress, 0.05, 1.0));
+  }
+  const auto right = put_right(*slip, test, part_of(progress, 0.05, 0.1));
+  const Progress rest = part_of(progress, 0.1, 1.0);
+  const Fit plain =
+      fitter.settled(fitter.fit({}, fitter.model_for({}), rest), rest);
+  const double left = plain.result.error;
+  const double floor = options_of_test(right->ground).floor;
+  if (explains_all(*slip, left, floor)) {
+    return with_deck_put_right(*slip, *right, options, left, rest);
+  }
+  Diagnosis d = diagnose(fitter, {}, options, part_of(rest, 0.0, 0.5));
+  if (!leaves_less(*slip, d, options.floor)) return d;
+  return with_deck_put_right(
+      *slip, *right, options, d.error_fitted, part_of(rest, 0.5, 1.0));
 }
 
 }  // namespace
@@ -95,16 +129,14 @@ Diagnosis diagnose_test(const FitContext& ground,
                         const MeasuredTest& test,
                         const std::vector<std::string>& of_model,
                         const Progress& progress) {
-  DiagnoseOptions options = options_of_test(ground, base);
+  DiagnoseOptions options = options_of_test(ground);
   if (const FitObserver* observer = fit_observer(progress)) {
     options.tried = observer->tried;
   }
-  Diagnosis d = diagnose(*ground.fitter, current.effects, options, progress);
-  if (current.effects.empty()) {
-    if (const auto slip = card_swap(*ground.fitter, d, options, progress)) {
-      d = with_deck_put_right(d, *slip, base, test, options, progress);
-    }
-  }
+  Diagnosis d =
+      current.effects.empty()
+          ? diagnose_deck(ground, test, options, progress)
+          : diagnose(*ground.fitter, current.effects, options, progress);
   // Nothing fitted yet: the base is the deck as it is.
   if (current.result.history.empty()) d.error_base = base.error;
   if (const auto& shifts = test.modes.shifts; modal::is_significant(shifts)) {
@@ -119,7 +151,11 @@ Diagnosis diagnose_test(const FitContext& ground,
   for (const Finding& off : sensor_mass_findings(d, bundle)) {
     d.warnings.push_back(off.where.channel + ": " + in_full(off));
   }
+  // What hides behind the floor of the deck as written shows once it is right.
+  const bool put_right = !cut_at_deck(d, test.context).corrections.empty();
+  const std::string of_floor = put_right ? floor_warning(base) : "";
   for (const std::string& warning : of_model) {
+    if (warning == of_floor) continue;
     if (std::ranges::count(d.warnings, warning) > 0) continue;
     d.warnings.push_back(warning);
   }

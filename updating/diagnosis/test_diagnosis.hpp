@@ -13,8 +13,7 @@
 namespace tapfit::updating {
 
 /// How thoroughly it looks, and what it knows of the error.
-[[nodiscard]] DiagnoseOptions options_of_test(const FitContext& ground,
-                                              const Comparison& base);
+[[nodiscard]] DiagnoseOptions options_of_test(const FitContext& ground);
 
 /// @param current the model's fit; with nothing added the ground's base
 /// @param base the comparison of the deck as it is

@@ -130,7 +130,7 @@ class Fitter::Course {
   void approach(const MinimiseOptions& options) {
     for (std::size_t k = 0; k + 1 < targets_.size(); ++k) {
       go_on(k, options);
-      take_damping(result_.state, stands_out());
+      take_damping(stands_out());
     }
   }
 
@@ -141,7 +141,7 @@ class Fitter::Course {
     model_ = fitter_->with_coarser(std::move(model_), result_.state.effects);
     bool there = false;
     for (int round = 0; round < rounds; ++round) {
-      if (round > 0 && !take_damping(result_.state, stands_out()) && there) {
+      if (round > 0 && !take_damping(stands_out()) && there) {
         break;
       }
       const Eigen::VectorXd from = pack(result_.state);
@@ -164,24 +164,18 @@ class Fitter::Course {
   /// better.
   void try_from(ModelState state, const MinimiseOptions& options) {
     const UpdateResult found = result_;
-    const std::size_t steps = history_.size();
     result_.state = std::move(state);
     go_on(targets_.size() - 1, options);
-    if (result_.objective <= found.objective) return;
-    result_ = found;
-    history_.resize(steps);
+    if (result_.objective > found.objective) result_ = found;
   }
 
-  /// The ratio of the modes beyond the band as near as it can be told, as long
-  /// as that does better. False where it stays as it was.
+  /// The ratio of the modes beyond the band as near as it can be told. False
+  /// where it stays as it was.
   bool settle_damping(const MinimiseOptions& options, int rounds) {
     bool moved = false;
     for (int round = 0; round < rounds; ++round) {
-      ModelState state = result_.state;
-      if (!take_damping(state, settled_damping)) break;
-      const double taken = state.zeta_other;
-      try_from(std::move(state), options);
-      if (result_.state.zeta_other != taken) break;
+      if (!take_damping(settled_damping)) break;
+      go_on(targets_.size() - 1, options);
       moved = true;
     }
     return moved;
@@ -264,7 +258,8 @@ class Fitter::Course {
 
   // Whether the modes beyond the band have another ratio than was assumed, by
   // more than that part of it.
-  bool take_damping(ModelState& state, double noticed) const {
+  bool take_damping(double noticed) {
+    ModelState& state = result_.state;
     const double now = typical_damping(result_);
     if (std::abs(std::log(now / state.zeta_other)) < noticed) return false;
     state.zeta_other = now;

@@ -27,7 +27,8 @@ SlipFit fit_through_base(const structure::Deck& deck,
                                           problem.measured,
                                           problem.modes);
   model->set_reference(fitter.first_state(*model, {}));
-  const Fit fit = fitter.fit({}, std::move(model), {{}, progress.stop});
+  const Fit fit =
+      fitter.approach({}, std::move(model), {{}, progress.stop}).value();
   const Target& wide = problem.targets.front();
   const double error = relative_error(
       wide, fit.model->respond(fit.result.state, wide.s, false).H);
@@ -43,16 +44,19 @@ SlipFit fit_of(const structure::Deck& deck,
   return {{}, {}, {}, fit.result.error, fit.log_likelihood};
 }
 
-// The deck as it is, then with each slip put right.
+// The deck as it is, then with each slip put right where that leaves more than
+// what is near.
 template <typename FitOne>
 SlipFits fit_each_deck(const Fitter& fitter,
                        const std::vector<CardSlip>& slips,
+                       double near,
                        const Progress& progress,
                        const FitOne& fit_one) {
   const structure::Deck& deck = *fitter.problem().context.deck;
   SlipFits fits;
   if (slips.empty()) return fits;
   fits.plain = fit_one(deck, fitter, progress);
+  if (fits.plain.error <= near) return fits;
   for (const CardSlip& slip : slips) {
     progress("cards of the deck",
              static_cast<double>(fits.slips.size()) /
@@ -72,14 +76,15 @@ SlipFits fit_each_deck(const Fitter& fitter,
 
 SlipFits screen_slips(const Fitter& fitter,
                       const std::vector<CardSlip>& slips,
+                      double near,
                       const Progress& progress) {
-  return fit_each_deck(fitter, slips, progress, fit_through_base);
+  return fit_each_deck(fitter, slips, near, progress, fit_through_base);
 }
 
 SlipFits fit_slips(const Fitter& fitter,
                    const std::vector<CardSlip>& slips,
                    const Progress& progress) {
-  return fit_each_deck(fitter, slips, progress, fit_of);
+  return fit_each_deck(fitter, slips, 0.0, progress, fit_of);
 }
 
 }  // namespace tapfit::updating

@@ -114,8 +114,7 @@ const Diagnosis& Session::robust_diagnosis(const Progress& progress) {
   const FitContext& ground =
       cut.corrections.empty() ? stages_->ground_now()
                               : stages_->ground_of(cut.corrections, progress);
-  const DiagnoseOptions options =
-      options_of_test(ground, base_comparison(progress));
+  const DiagnoseOptions options = options_of_test(ground);
   std::vector<Robustness>& firm = stages_->diagnosis->robustness;
   firm = robustness(*ground.fitter, options, cut.rest, progress);
   for (Robustness& one : firm) one.verdict = with_named(cut.named, one.verdict);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
@@ -75,6 +76,24 @@ TEST_F(Approach, AndArrivalEndWhereAFitDoes) {
     EXPECT_LE((off.array() / sd.array()).maxCoeff(), 0.1)
         << effect.effect->name() << " at " << effect.where.node;
   }
+}
+
+// Both ends are within what fits notice of the higher modes' damping.
+TEST_F(Approach, SettledEndsAtOneErrorFromEitherSide) {
+  const Fitter& fitter = test_->fitter();
+  const auto model = fitter.model_for(hidden_);
+  std::vector<double> ended;
+  std::vector<double> settled;
+  for (const double factor : {0.93, 1.07}) {
+    Fit fit = fitter.fit(hidden_, model);
+    fit.result.state.zeta_other =
+        factor * fitter.settled(fit).result.state.zeta_other;
+    fit = fitter.fit_beside(fit, hidden_, model);
+    ended.push_back(fit.result.error);
+    settled.push_back(fitter.settled(fit).result.error);
+  }
+  EXPECT_NEAR(settled[0], settled[1], 1e-3 * settled[0]);
+  EXPECT_GT(std::abs(ended[0] - ended[1]), 1e-3 * ended[0]);
 }
 
 // What is given up on the wide lines ends out of reach of what is known.
