@@ -135,7 +135,7 @@ TEST_F(PlateOfModes, AHiddenMassIsFound) {
 // can be left.
 TEST_F(PlateOfModes, AFloorIsNotRaisedByWhatIsMissing) {
   testing::PlateOptions truth;
-  truth.cards = {fmt::format("CONM2,901,{},,0.015", plate_grid(8, 4))};
+  truth.cards = {fmt::format("CONM2,901,{},,0.03", plate_grid(8, 4))};
   write(truth,
         9,
         testing::plate_points(),
