@@ -24,9 +24,8 @@ constexpr std::size_t most_bases = 2;
 // exchange numbers that the measurement does not tell apart is no correction.
 std::vector<CardSlip> worth_a_base(const std::vector<CardSlip>& likely,
                                    const Fitter& fitter,
-                                   double near,
                                    const Progress& progress) {
-  const SlipFits screened = screen_slips(fitter, likely, near, progress);
+  const SlipFits screened = screen_slips(fitter, likely, progress);
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < screened.slips.size(); ++k) {
     const double error = screened.slips[k].error;
@@ -40,18 +39,27 @@ std::vector<CardSlip> worth_a_base(const std::vector<CardSlip>& likely,
   return best;
 }
 
+// By one effect, or by none.
+double least_error(const Diagnosis& found) {
+  double least = found.error_fitted;
+  for (const Candidate& effect : found.candidates) {
+    least = std::min(least, effect.error);
+  }
+  return least;
+}
+
 }  // namespace
 
+bool may_be_slip(const Fit& plain, const Fitter& fitter) {
+  return fitter.problem().modes || hides_errors(plain.result.error);
+}
+
 std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
-                                        const DiagnoseOptions& options,
                                         const Progress& progress) {
-  // Numbers that are wrong may make the mesh too coarse for the band, too.
-  const double near =
-      hides_errors(options.floor) ? 0.0 : clear_of_floor * options.floor;
   std::vector<CardSlip> likely = card_slips(*fitter.problem().context.deck);
   likely.resize(std::min(most_slips, likely.size()));
   const SlipFits fits =
-      fit_slips(fitter, worth_a_base(likely, fitter, near, progress), progress);
+      fit_slips(fitter, worth_a_base(likely, fitter, progress), progress);
   const auto best = std::ranges::min_element(fits.slips, {}, &SlipFit::error);
   if (best == fits.slips.end()) return std::nullopt;
   // Each that was tried could have been found.
@@ -74,14 +82,12 @@ bool explains_all(const SetUpMistake& slip, double as_written, double floor) {
          as_written > clear_of_floor * slip.error;
 }
 
-bool leaves_less(const SetUpMistake& slip,
-                 const Diagnosis& found,
-                 double floor) {
-  double least = found.error_fitted;
-  for (const Candidate& effect : found.candidates) {
-    least = std::min(least, effect.error);
-  }
-  return least > clear_of_floor * floor && slip.error < worth_it * least;
+bool none_explains(const Diagnosis& found, double floor) {
+  return least_error(found) > clear_of_floor * floor;
+}
+
+bool leaves_less(const SetUpMistake& slip, const Diagnosis& found) {
+  return slip.error < worth_it * least_error(found);
 }
 
 }  // namespace tapfit::updating

@@ -2,7 +2,6 @@
 // besides its effects.
 #pragma once
 
-#include "updating/diagnosis/diagnose_options.hpp"
 #include "updating/diagnosis/diagnosis.hpp"
 #include "updating/fit/fitter.hpp"
 
@@ -10,32 +9,35 @@
 
 namespace tapfit::updating {
 
-/// The likeliest of the deck's slips (card_slips.hpp), before any effect is
-/// looked for: all through the deck's own base, and the best two, where they
-/// leave clearly less than the deck as it is, in bases of their own. Where the
-/// deck as it is comes near a floor that hides nothing, none is tried.
-///
+/// Whether a deck leaves so much that a slip of all of it may be at fault: half
+/// or twice the thickness and exchanged moduli move every mode, and of FRFs
+/// that agree in part such a slip would make less. Of modes, which differ by
+/// less than their FRFs, all are looked at: that takes no time.
+/// @param plain a fit of the deck as it is
+[[nodiscard]] bool may_be_slip(const Fit& plain, const Fitter& fitter);
+
+/// The likeliest of the deck's slips (card_slips.hpp): all through the deck's
+/// own base, and the best two, where they leave clearly less than the deck as
+/// it is, in bases of their own.
 /// @param fitter of a deck without effects
 /// @return the one that leaves least, where it is far likelier than the deck as
 ///   it is and leaves clearly less
-[[nodiscard]] std::optional<SetUpMistake> likely_slip(
-    const Fitter& fitter,
-    const DiagnoseOptions& options,
-    const Progress& progress);
+[[nodiscard]] std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
+                                                      const Progress& progress);
 
 /// Whether no effect can do better: it comes near what the deck put right can
 /// come to, and the deck as it is stays clear of that.
-/// @param as_written what a fit of the deck as it is leaves
+/// @param as_written error that a fit of the deck as it is leaves
 /// @param floor of the deck put right
 [[nodiscard]] bool explains_all(const SetUpMistake& slip,
                                 double as_written,
                                 double floor);
 
-/// Whether it leaves clearly less than any effect by itself, none of which
-/// comes near the floor.
-/// @param found what effects alone explain
+/// Whether no effect by itself comes near the floor.
+[[nodiscard]] bool none_explains(const Diagnosis& found, double floor);
+
+/// Whether the slip leaves clearly less than any effect by itself.
 [[nodiscard]] bool leaves_less(const SetUpMistake& slip,
-                               const Diagnosis& found,
-                               double floor);
+                               const Diagnosis& found);
 
 }  // namespace tapfit::updating

@@ -101,24 +101,27 @@ Diagnosis diagnose_deck(const FitContext& ground,
                         const DiagnoseOptions& options,
                         const Progress& progress) {
   const Fitter& fitter = *ground.fitter;
-  const std::optional<SetUpMistake> slip =
-      likely_slip(fitter, options, part_of(progress, 0.0, 0.05));
-  if (!slip) {
-    return diagnose(fitter, {}, options, part_of(progress, 0.05, 1.0));
+  const Progress first = part_of(progress, 0.0, 0.1);
+  const Fit plain = fitter.approach({}, fitter.model_for({}), first).value();
+  std::optional<SetUpMistake> slip;
+  const bool before_effects = may_be_slip(plain, fitter);
+  if (before_effects) slip = likely_slip(fitter, first);
+  if (slip) {
+    const auto right = put_right(*slip, test, first);
+    const double left =
+        fitter.settled(fitter.arrive(plain, first), first).result.error;
+    if (explains_all(*slip, left, options_of_test(right->ground).floor)) {
+      return with_deck_put_right(
+          *slip, *right, options, left, part_of(progress, 0.1, 1.0));
+    }
   }
-  const auto right = put_right(*slip, test, part_of(progress, 0.05, 0.1));
-  const Progress rest = part_of(progress, 0.1, 1.0);
-  const Fit plain =
-      fitter.settled(fitter.fit({}, fitter.model_for({}), rest), rest);
-  const double left = plain.result.error;
-  const double floor = options_of_test(right->ground).floor;
-  if (explains_all(*slip, left, floor)) {
-    return with_deck_put_right(*slip, *right, options, left, rest);
-  }
-  Diagnosis d = diagnose(fitter, {}, options, part_of(rest, 0.0, 0.5));
-  if (!leaves_less(*slip, d, options.floor)) return d;
-  return with_deck_put_right(
-      *slip, *right, options, d.error_fitted, part_of(rest, 0.5, 1.0));
+  Diagnosis d = diagnose(fitter, {}, options, part_of(progress, 0.1, 0.9));
+  if (!none_explains(d, options.floor)) return d;
+  const Progress last = part_of(progress, 0.9, 1.0);
+  if (!before_effects) slip = likely_slip(fitter, last);
+  if (!slip || !leaves_less(*slip, d)) return d;
+  const auto right = put_right(*slip, test, last);
+  return with_deck_put_right(*slip, *right, options, d.error_fitted, last);
 }
 
 }  // namespace

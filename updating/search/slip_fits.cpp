@@ -17,6 +17,17 @@ FitProblem problem_of(const structure::Deck& deck, const Fitter& like) {
   return problem;
 }
 
+SlipFit screened(const Fitter& fitter,
+                 std::shared_ptr<const FrfModel> model,
+                 const Progress& progress) {
+  const Fit fit =
+      fitter.approach({}, std::move(model), {{}, progress.stop}).value();
+  const Target& wide = fitter.problem().targets.front();
+  const double error = relative_error(
+      wide, fit.model->respond(fit.result.state, wide.s, false).H);
+  return {{}, {}, {}, error, fit.log_likelihood};
+}
+
 SlipFit fit_through_base(const structure::Deck& deck,
                          const Fitter& like,
                          const Progress& progress) {
@@ -27,12 +38,7 @@ SlipFit fit_through_base(const structure::Deck& deck,
                                           problem.measured,
                                           problem.modes);
   model->set_reference(fitter.first_state(*model, {}));
-  const Fit fit =
-      fitter.approach({}, std::move(model), {{}, progress.stop}).value();
-  const Target& wide = problem.targets.front();
-  const double error = relative_error(
-      wide, fit.model->respond(fit.result.state, wide.s, false).H);
-  return {{}, {}, {}, error, fit.log_likelihood};
+  return screened(fitter, std::move(model), progress);
 }
 
 SlipFit fit_of(const structure::Deck& deck,
@@ -44,30 +50,24 @@ SlipFit fit_of(const structure::Deck& deck,
   return {{}, {}, {}, fit.result.error, fit.log_likelihood};
 }
 
-// The deck as it is, then with each slip put right where that leaves more than
-// what is near.
+// Each slip put right.
 template <typename FitOne>
-SlipFits fit_each_deck(const Fitter& fitter,
-                       const std::vector<CardSlip>& slips,
-                       double near,
-                       const Progress& progress,
-                       const FitOne& fit_one) {
-  const structure::Deck& deck = *fitter.problem().context.deck;
-  SlipFits fits;
-  if (slips.empty()) return fits;
-  fits.plain = fit_one(deck, fitter, progress);
-  if (fits.plain.error <= near) return fits;
+std::vector<SlipFit> fit_each(const Fitter& fitter,
+                              const std::vector<CardSlip>& slips,
+                              const Progress& progress,
+                              const FitOne& fit_one) {
+  std::vector<SlipFit> fits;
   for (const CardSlip& slip : slips) {
-    progress("cards of the deck",
-             static_cast<double>(fits.slips.size()) /
-                 static_cast<double>(slips.size()));
-    structure::Deck corrected = deck;
+    progress(
+        "cards of the deck",
+        static_cast<double>(fits.size()) / static_cast<double>(slips.size()));
+    structure::Deck corrected = *fitter.problem().context.deck;
     slip.correct(corrected);
     SlipFit fit = fit_one(corrected, fitter, progress);
     fit.edit = slip.edit;
     fit.elements = slip.elements;
     fit.kind = slip.kind;
-    fits.slips.push_back(std::move(fit));
+    fits.push_back(std::move(fit));
   }
   return fits;
 }
@@ -76,15 +76,17 @@ SlipFits fit_each_deck(const Fitter& fitter,
 
 SlipFits screen_slips(const Fitter& fitter,
                       const std::vector<CardSlip>& slips,
-                      double near,
                       const Progress& progress) {
-  return fit_each_deck(fitter, slips, near, progress, fit_through_base);
+  return {screened(fitter, fitter.model_for({}), progress),
+          fit_each(fitter, slips, progress, fit_through_base)};
 }
 
 SlipFits fit_slips(const Fitter& fitter,
                    const std::vector<CardSlip>& slips,
                    const Progress& progress) {
-  return fit_each_deck(fitter, slips, 0.0, progress, fit_of);
+  if (slips.empty()) return {};
+  return {fit_of(*fitter.problem().context.deck, fitter, progress),
+          fit_each(fitter, slips, progress, fit_of)};
 }
 
 }  // namespace tapfit::updating

@@ -29,10 +29,8 @@ struct SlipFits {
 /// Through the base of the deck as it is; errors are those on the widest line,
 /// the most forgiving about modes that are off.
 /// @param fitter of the deck; its own effects are not asked for
-/// @param near none is tried where the deck as it is leaves no more
 [[nodiscard]] SlipFits screen_slips(const Fitter& fitter,
                                     const std::vector<CardSlip>& slips,
-                                    double near,
                                     const Progress& progress);
 
 /// In bases of their own.

@@ -66,23 +66,21 @@ class CardSwap : public ::testing::Test {
                      support::plate_base(bundle_, deck_),
                      Progress{});
     fitter_.emplace(*builder_, fit);
-    options_.floor = noise_error(fitter_->target());
   }
 
   [[nodiscard]] std::optional<SetUpMistake> found() const {
-    return likely_slip(*fitter_, options_, {});
+    return likely_slip(*fitter_, {});
   }
 
   acquisition::TestBundle bundle_ = support::plate_bundle();
   structure::Deck deck_;
   std::optional<BaseBuilder> builder_;
   std::optional<Fitter> fitter_;
-  DiagnoseOptions options_;
 };
 
 TEST_F(CardSwap, OfExchangedModuliIsFound) {
   measure(wooden_plate(11e9, 0.8e9), wooden_plate(0.8e9, 11e9));
-  const SlipFits screened = screen_slips(*fitter_, card_slips(deck_), 0.0, {});
+  const SlipFits screened = screen_slips(*fitter_, card_slips(deck_), {});
   ASSERT_EQ(screened.slips.size(), 3U);
   // The deck's vectors are short of what the moduli exchanged make of them.
   EXPECT_LT(screened.slips[0].error, worth_it * screened.plain.error);
@@ -99,18 +97,6 @@ TEST_F(CardSwap, OfExchangedModuliIsFound) {
   EXPECT_GT(slip->probability, 0.99);
 }
 
-// A deck that is near its floor is not asked, unless that hides all.
-TEST_F(CardSwap, IsLookedForWhereSomethingIsLeft) {
-  measure(wooden_plate(11e9, 0.8e9), wooden_plate(0.8e9, 11e9));
-  const double plain =
-      screen_slips(*fitter_, card_slips(deck_), 0.0, {}).plain.error;
-  EXPECT_TRUE(
-      screen_slips(*fitter_, card_slips(deck_), plain, {}).slips.empty());
-  options_.floor = 0.9 * plain;
-  ASSERT_GT(options_.floor, 0.3);
-  EXPECT_TRUE(found());
-}
-
 TEST(DeckSlip, ExplainsAllOrLeavesLess) {
   SetUpMistake slip;
   slip.error = 0.05;
@@ -119,11 +105,13 @@ TEST(DeckSlip, ExplainsAllOrLeavesLess) {
   EXPECT_FALSE(explains_all(slip, 0.1, 0.02));
   Diagnosis found;
   found.error_fitted = 0.8;
-  EXPECT_TRUE(leaves_less(slip, found, 0.02));
-  EXPECT_FALSE(leaves_less(slip, found, 0.3));
+  EXPECT_TRUE(leaves_less(slip, found));
+  EXPECT_TRUE(none_explains(found, 0.02));
+  EXPECT_FALSE(none_explains(found, 0.3));
   found.candidates.emplace_back();
   found.candidates.back().error = 0.055;
-  EXPECT_FALSE(leaves_less(slip, found, 0.01));
+  EXPECT_FALSE(leaves_less(slip, found));
+  EXPECT_FALSE(none_explains(found, 0.02));
 }
 
 TEST_F(CardSwap, IsNoneWhereTheCardsAreRight) {
@@ -131,7 +119,7 @@ TEST_F(CardSwap, IsNoneWhereTheCardsAreRight) {
   measure(deck, deck);
   EXPECT_FALSE(found());
   // None is worth a base.
-  const SlipFits screened = screen_slips(*fitter_, card_slips(deck_), 0.0, {});
+  const SlipFits screened = screen_slips(*fitter_, card_slips(deck_), {});
   ASSERT_EQ(screened.slips.size(), 3U);
   for (const SlipFit& slip : screened.slips) {
     EXPECT_GT(slip.error, screened.plain.error) << slip.edit;
