@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::string channel_line(const char* role,
                          const acquisition::ImportChannel& channel) {
-  return fmt::format("{}  \"{}\" at {}, {}{}",
+  return fmt::format("{}: \"{}\" at {}, {}{}",
                      role,
                      channel.channel.empty() ? channel.column : channel.channel,
                      name(channel.dof),
@@ -69,9 +69,9 @@ std::vector<std::string> lines_of(const ImportOffer& offer) {
   for (const acquisition::ImportAssumption& it : offer.proposal.assumptions) {
     lines.push_back("assumed: " + it.what);
     if (!it.field.empty()) {
-      lines.push_back("  to say otherwise: " + it.field + " in test.json");
+      lines.push_back("to say otherwise: " + it.field + " in test.json");
     } else if (!it.option.empty()) {
-      lines.push_back("  to say otherwise: tapfit import FILE " + it.option);
+      lines.push_back("to say otherwise: tapfit import FILE " + it.option);
     }
   }
   lines.insert(lines.end(), {"", "Enter makes it and opens it; Esc leaves it"});

@@ -65,7 +65,7 @@ void draw_keys(Screen& screen, int y) {
                                   {"h", "folder above"},
                                   {"/", "filter"},
                                   {"?", "help"},
-                                  {"Esc", "to the start"},
+                                  {"Esc", "start"},
                                   {"q", "quit"}}) {
     x = screen.text(x, y, key, {.bold = true, .reverse = true}) + 1;
     x = screen.text(x, y, what, {.reverse = true}) + 2;

@@ -95,30 +95,50 @@ Diagnosis with_deck_put_right(const SetUpMistake& slip,
   return d;
 }
 
+// With the slip put right, where no effect by itself of the deck as it is comes
+// near what that leaves; its floor is that of the deck put right, for a deck
+// that is wrong has that of another structure.
+std::optional<Diagnosis> put_right_at_once(const SetUpMistake& slip,
+                                           const Fit& plain,
+                                           const FitContext& ground,
+                                           const MeasuredTest& test,
+                                           const DiagnoseOptions& options,
+                                           const Progress& progress) {
+  const Fitter& fitter = *ground.fitter;
+  const Progress first = part_of(progress, 0.0, 0.1);
+  const auto right = put_right(slip, test, first);
+  const double floor = options_of_test(right->ground).floor;
+  const double left =
+      fitter.settled(fitter.arrive(plain, first), first).result.error;
+  if (!explains_all(slip, left, floor)) {
+    DiagnoseOptions one = options;
+    one.max_rungs = 1;
+    const Diagnosis d = diagnose(fitter, {}, one, part_of(progress, 0.1, 0.5));
+    if (!none_explains(d, floor) || !leaves_less(slip, d)) return std::nullopt;
+  }
+  return with_deck_put_right(
+      slip, *right, options, left, part_of(progress, 0.5, 1.0));
+}
+
 // Of the deck as it is written, or put right where that does far better.
 Diagnosis diagnose_deck(const FitContext& ground,
                         const MeasuredTest& test,
                         const DiagnoseOptions& options,
                         const Progress& progress) {
   const Fitter& fitter = *ground.fitter;
-  const Progress first = part_of(progress, 0.0, 0.1);
+  const Progress first = part_of(progress, 0.0, 0.05);
   const Fit plain = fitter.approach({}, fitter.model_for({}), first).value();
-  std::optional<SetUpMistake> slip;
-  const bool before_effects = may_be_slip(plain, fitter);
-  if (before_effects) slip = likely_slip(fitter, first);
-  if (slip) {
-    const auto right = put_right(*slip, test, first);
-    const double left =
-        fitter.settled(fitter.arrive(plain, first), first).result.error;
-    if (explains_all(*slip, left, options_of_test(right->ground).floor)) {
-      return with_deck_put_right(
-          *slip, *right, options, left, part_of(progress, 0.1, 1.0));
+  const bool at_once = may_be_slip(plain, fitter);
+  if (at_once) {
+    if (const auto slip = likely_slip(fitter, first)) {
+      auto d = put_right_at_once(*slip, plain, ground, test, options, progress);
+      if (d) return *std::move(d);
     }
   }
-  Diagnosis d = diagnose(fitter, {}, options, part_of(progress, 0.1, 0.9));
-  if (!none_explains(d, options.floor)) return d;
+  Diagnosis d = diagnose(fitter, {}, options, part_of(progress, 0.05, 0.9));
+  if (at_once || !none_explains(d, options.floor)) return d;
   const Progress last = part_of(progress, 0.9, 1.0);
-  if (!before_effects) slip = likely_slip(fitter, last);
+  const auto slip = likely_slip(fitter, last);
   if (!slip || !leaves_less(*slip, d)) return d;
   const auto right = put_right(*slip, test, last);
   return with_deck_put_right(*slip, *right, options, d.error_fitted, last);

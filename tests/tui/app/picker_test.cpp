@@ -112,7 +112,7 @@ TEST_F(PickerTest, MakesATestOfARecording) {
   const std::string offered = seen(one, "/tap\n\n");
   expect_fits(offered, 80);
   EXPECT_TRUE(holds(offered, "becomes the test tap/")) << offered;
-  EXPECT_TRUE(holds(offered, "hammer  \"hammer\" at 1")) << offered;
+  EXPECT_TRUE(holds(offered, "hammer: \"hammer\" at 2Z+, force")) << offered;
   EXPECT_TRUE(holds(offered, "assumed:")) << offered;
   one.press(Key(keys::escape));
   EXPECT_FALSE(fs::exists(folder_.path() / "tap"));
@@ -121,7 +121,7 @@ TEST_F(PickerTest, MakesATestOfARecording) {
   EXPECT_EQ(one.take_picked(), folder_.path() / "tap");
   EXPECT_TRUE(fs::exists(folder_.path() / "tap" / "test.json"));
   const std::string again = seen(one, "\n");
-  EXPECT_TRUE(holds(again, "there is a test already")) << again;
+  EXPECT_TRUE(holds(again, "already, which is never written over")) << again;
 }
 
 TEST_F(PickerTest, SaysWhyARecordingIsNoTest) {

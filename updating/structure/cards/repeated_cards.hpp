@@ -7,7 +7,7 @@
 // Source: MSC Nastran Quick Reference Guide, "Bulk data entry replication".
 #pragma once
 
-#include "updating/structure/cards/bulk_cards.hpp"
+#include "updating/structure/cards/card.hpp"
 
 #include <vector>
 
