@@ -77,14 +77,14 @@ std::vector<std::string> help_lines() {
       "A test is a folder with test.json, or a universal file. Enter opens it; "
       "work that was begun is taken up where it was left.",
       "",
-      "recent         tests opened lately",
-      "demonstration  a test whose answer is known; tapfit tour leads through "
+      "recent: tests opened lately",
+      "demonstration: a test whose answer is known; tapfit tour leads through "
       "it",
-      "bundle         a test in this folder",
-      "recording      a file of time records (CSV, MATLAB, HDF5, netCDF, TDMS, "
+      "bundle: a test in this folder",
+      "recording: a file of time records (CSV, MATLAB, HDF5, netCDF, TDMS, "
       "numpy, WAV, FLAC): Enter shows the test that it makes, a second one "
       "makes it, in a folder beside the file",
-      "folder         Enter looks into it, h into the one above",
+      "folder: Enter looks into it, h into the one above",
       "",
       "/ shows only what holds the letters that follow; Esc shows all and goes "
       "back to the folder that tapfit was started in.",
