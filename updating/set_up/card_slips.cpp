@@ -82,6 +82,8 @@ void add_orthotropic(const Deck& deck, std::vector<CardSlip>& slips) {
   const std::map<int, std::vector<int>> shells = by_property(deck.shells);
   for (const auto& [id, material] : deck.materials) {
     if (!material.orthotropic || !differ(material.E, material.E2)) continue;
+    // NU12^2 < E1/E2 of what is elastic, exchanged as well.
+    if (material.nu * material.nu * material.E >= material.E2) continue;
     std::vector<int> elements;
     for (const auto& [property, ids] : shells) {
       if (!uses(deck.shell_properties.at(property), id)) continue;

@@ -59,6 +59,9 @@ TEST(CardSlips, OfAnOrthotropicPlateAreModuliAndThickness) {
   structure::Deck deck = support::plate_deck(true);
   deck.materials[1].orthotropic = true;
   deck.materials[1].E2 = 5e9;
+  deck.materials[1].nu = 0.3;
+  EXPECT_EQ(card_slips(deck).size(), 2U) << "exchanged, they are not elastic";
+  deck.materials[1].nu = 0.05;
   const auto slips = card_slips(deck);
   ASSERT_EQ(slips.size(), 3U);
   EXPECT_EQ(slips[0].edit, "model: MAT8 1, exchange E1 and E2");

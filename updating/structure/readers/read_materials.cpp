@@ -5,6 +5,8 @@
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -81,6 +83,8 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
   m.G2z = card.real_or(7, 0.0, "G2Z");
   m.rho = card.real_or(8, 0.0, "RHO");
   if (m.E <= 0.0 || m.E2 <= 0.0 || m.G <= 0.0 || m.nu * m.nu * m.E2 >= m.E) {
+    const bool exchanged =
+        std::min({m.E, m.E2, m.G}) > 0.0 && m.nu * m.nu * m.E < m.E2;
     card.fail(
         fmt::format(
             "E1 = {}, E2 = {}, NU12 = {}, G12 = {} is no elastic material",
@@ -88,7 +92,9 @@ void read_mat8(DeckBuilder& builder, const CardReader& card) {
             m.E2,
             m.nu,
             m.G),
-        "E1, E2 and G12 must be above zero, and NU12^2 below E1/E2.");
+        exchanged
+            ? "NU12^2 must be below E1/E2: are E1 and E2 exchanged?"
+            : "E1, E2 and G12 must be above zero, and NU12^2 below E1/E2.");
   }
   refuse_negative_density(card, m.rho);
   builder.deck.materials[m.id] = m;

@@ -248,6 +248,16 @@ TEST(BadDeck, CardThatDoesNothingIsNamed) {
               HasSubstr("also selects SPC 2"));
 }
 
+TEST(BadDeck, ModuliThatAreElasticTheOtherWayRoundAreAskedAfter) {
+  const auto remedy = [](const std::string& card) {
+    return error_of(grid_cards_text + card).remedy();
+  };
+  EXPECT_THAT(remedy("MAT8,8,9.+8,1.1+10,.35,7.5+8\n"),
+              HasSubstr("are E1 and E2 exchanged?"));
+  EXPECT_THAT(remedy("MAT8,8,9.+8,1.1+10,3.5,7.5+8\n"),
+              HasSubstr("must be above zero"));
+}
+
 TEST(BadDeck, CardIsUnknown) {
   const std::string plate = "CQUAD4,5,1,1,2,3,4\n";
   expect_error(plate + "CGAP,6,1,1,2\n", "model.bdf:8", "CGAP (line 8");
