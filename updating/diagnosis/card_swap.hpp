@@ -12,7 +12,7 @@ namespace tapfit::updating {
 /// Whether a deck leaves so much that a slip of all of it may be at fault: half
 /// or twice the thickness and exchanged moduli move every mode, and of FRFs
 /// that agree in part such a slip would make less. Of modes, which differ by
-/// less than their FRFs, all are looked at: that takes no time.
+/// less than their FRFs, all are looked at: fits of them take no time.
 /// @param plain a fit of the deck as it is
 [[nodiscard]] bool may_be_slip(const Fit& plain, const Fitter& fitter);
 
