@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <system_error>
 #include <utility>
 
@@ -72,24 +73,27 @@ void draw_keys(Screen& screen, int y) {
   }
 }
 
-std::vector<std::string> help_lines() {
-  return {
-      "A test is a folder with test.json, or a universal file. Enter opens it; "
-      "work that was begun is taken up where it was left.",
-      "",
-      "recent: tests opened lately",
-      "demonstration: a test whose answer is known; tapfit tour leads through "
-      "it",
-      "bundle: a test in this folder",
-      "recording: a file of time records (CSV, MATLAB, HDF5, netCDF, TDMS, "
-      "numpy, WAV, FLAC): Enter shows the test that it makes, a second one "
-      "makes it, in a folder beside the file",
-      "folder: Enter looks into it, h into the one above",
-      "",
-      "/ shows only what holds the letters that follow; Esc shows all and goes "
-      "back to the folder that tapfit was started in.",
-      "Several files of one test, a deck, or points of other names: tapfit "
-      "import --help"};
+constexpr const char* help_text =
+    "A test is a folder with test.json, or a universal file. Enter opens it; "
+    "work that was begun is taken up where it was left.\n\n"
+    "recent: tests opened lately\n"
+    "demonstration: a test whose answer is known; tapfit tour leads through "
+    "it\n"
+    "bundle: a test in this folder\n"
+    "recording: a file of time records (CSV, MATLAB, HDF5, netCDF, TDMS, "
+    "numpy, WAV, FLAC): Enter shows the test that it makes, a second one "
+    "makes it, in a folder beside the file\n"
+    "folder: Enter looks into it, h into the one above\n\n"
+    "/ shows only what holds the letters that follow; Esc shows all and goes "
+    "back to the folder that tapfit was started in.\n"
+    "Several files of one test, a deck, or points of other names: tapfit "
+    "import --help\n";
+
+std::vector<std::string> lines_in(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream all(text);
+  for (std::string line; std::getline(all, line);) lines.push_back(line);
+  return lines;
 }
 
 }  // namespace
@@ -241,7 +245,7 @@ void Picker::press(Key key) {
   } else if (key == U'/') {
     filtering_ = true;
   } else if (key == U'?') {
-    show_box("help", help_lines());
+    show_box("help", lines_in(help_text));
   } else if (key == keys::escape) {
     look_into(start_.folder);
   } else if (key == U'h' || key == keys::left || key == keys::backspace) {

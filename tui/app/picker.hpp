@@ -53,12 +53,12 @@ class Picker {
   };
 
   /// Looks into a folder; at the start, recent bundles come first.
-  void look_into(const std::filesystem::path& folder);
+  void look_into(const std::filesystem::path& where);
   void press_filter(Key key);
   void press_box(Key key);
   void show_box(const std::string& title,
                 const std::vector<std::string>& lines);
-  void offer(const std::filesystem::path& recording);
+  void offer(const std::filesystem::path& file);
   void click(Key key);
   void open_selected();
   [[nodiscard]] Table table() const;
