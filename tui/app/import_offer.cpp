@@ -1,6 +1,5 @@
 #include "tui/app/import_offer.hpp"
 
-#include "acquisition/foundation/input_error.hpp"
 #include "updating/export/output_rule_of_folder.hpp"
 
 #include <fmt/format.h>

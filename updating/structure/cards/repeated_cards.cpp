@@ -53,12 +53,15 @@ std::string stepped(const Card& card,
                     const std::string& step) {
   const auto whole = parse_integer(from);
   const auto whole_step = parse_integer(step);
-  if (whole && whole_step) return fmt::format("{}", *whole + *whole_step);
+  if (whole && whole_step) {
+    return fmt::format("{}", static_cast<long>(*whole) + *whole_step);
+  }
   const auto real = parse_real(from);
   const auto real_step = parse_real(step);
   if (!real || !real_step) {
-    throw no_repetition(card,
-                        fmt::format("\"{}\" and {} is no number", from, step));
+    throw no_repetition(
+        card,
+        fmt::format("\"{}\" and \"{}\" are not both numbers", from, step));
   }
   return with_point(*real + *real_step);
 }
@@ -83,7 +86,11 @@ std::string field_at(const Card& card, std::size_t k) {
 Made made_of(const Card& written, const Card& before) {
   Made made{written, Fields(written.fields.size())};
   Fields& fields = made.card.fields;
-  if (fields.front() == "=") fields.front() = before.name();
+  if (fields.front() == "=") {
+    fields.front() = before.name();
+  } else if (fields.front().starts_with("=")) {
+    throw no_repetition(written, "that is no name of a repetition");
+  }
   for (std::size_t k = 1; k < fields.size(); ++k) {
     if (fields[k] == "=") {
       fields[k] = field_at(before, k);

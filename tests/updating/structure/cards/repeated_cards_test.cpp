@@ -58,6 +58,8 @@ TEST(RepeatedCards, OfNothingAreRefused) {
   EXPECT_THROW(lines_of({"=,*1"}), InputError);
   EXPECT_THROW(lines_of({"GRID,1,,0.", "=,*1,*1"}), InputError);
   EXPECT_THROW(lines_of({"GRID,1,,0.", "=,*x"}), InputError);
+  EXPECT_THROW(lines_of({"GRID,1,,0.", "==,2"}), InputError);
+  EXPECT_THROW(lines_of({"GRID,1,,0.", "=(2,"}), InputError);
   EXPECT_THROW(lines_of({"GRID,1,,0.", "=0"}), InputError);
   EXPECT_THROW(lines_of({"GRID,1,,0.", "=,*1", "=999999999"}), InputError);
   EXPECT_THROW(lines_of({"GRID,1,,0.", "=,*1", "=2,7"}), InputError);
@@ -68,6 +70,11 @@ const std::string strip =
     "GRID,11,,0.,.1,0.\n=,*1,=,*.1,==\n=2\n"
     "CQUAD4,1,1,1,2,12,11\n=,*1,=,*1,*1,*1,*1\n=1\n"
     "PSHELL,1,1,.002,1,,1\n=,2,==\nMAT1,1,7.+10,,.3,2700.\n";
+
+// The readers refuse an id that is too large by its own words.
+TEST(RepeatedCards, GoBeyondWhatAnIdCanBe) {
+  EXPECT_EQ(lines_of({"GRID,2147483647", "=,*1"}).back(), "GRID,2147483648");
+}
 
 // Changed cards are written out, those that go on from them stay as they were.
 TEST(RepeatedCards, StayWhatTheyAreInAChangedDeck) {
