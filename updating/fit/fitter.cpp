@@ -141,9 +141,7 @@ class Fitter::Course {
     model_ = fitter_->with_coarser(std::move(model_), result_.state.effects);
     bool there = false;
     for (int round = 0; round < rounds; ++round) {
-      if (round > 0 && !take_damping(stands_out()) && there) {
-        break;
-      }
+      if (round > 0 && !take_damping(stands_out()) && there) break;
       const Eigen::VectorXd from = pack(result_.state);
       if (model_->coarser() == nullptr) {
         go_on(last, options);
