@@ -175,8 +175,8 @@ Diagnosis diagnose_test(const FitContext& ground,
     d.warnings.push_back(off.where.channel + ": " + in_full(off));
   }
   // What hides behind the floor of the deck as written shows once it is right.
-  const bool put_right = !cut_at_deck(d, test.context).corrections.empty();
-  const std::string of_floor = put_right ? floor_warning(base) : "";
+  const bool corrected = !cut_at_deck(d, test.context).corrections.empty();
+  const std::string of_floor = corrected ? floor_warning(base) : "";
   for (const std::string& warning : of_model) {
     if (warning == of_floor) continue;
     if (std::ranges::count(d.warnings, warning) > 0) continue;
