@@ -4,6 +4,7 @@
 #include "updating/places/near_places.hpp"
 #include "updating/places/stretched_patches.hpp"
 #include "updating/search/fit_each.hpp"
+#include "updating/search/screening.hpp"
 #include "updating/search/worth_fitting.hpp"
 
 #include <algorithm>
@@ -48,12 +49,9 @@ void climb(std::vector<Hypothesis>& found,
       if (!is_present(current, next)) tries.push_back(next);
     }
     if (tries.empty()) return;
-    std::shared_ptr<const FrfModel> shared;
-    if (!own.effect->changes_stiffness()) {
-      std::vector<EffectInstance> all = current.effects;
-      all.insert(all.end(), tries.begin(), tries.end());
-      shared = fitter.model_for(all);
-    }
+    const std::shared_ptr<const FrfModel> shared =
+        own.effect->changes_stiffness() ? nullptr
+                                        : shared_base(current, tries, fitter);
     const Hypothesis before = *std::ranges::min_element(found, is_likelier);
     bool gained = false;
     for (Hypothesis& h : fit_each_beside(
@@ -69,6 +67,53 @@ void climb(std::vector<Hypothesis>& found,
 }
 
 }  // namespace
+
+void look_elsewhere(std::vector<Hypothesis>& found,
+                    const Fit& current,
+                    const Fitter& fitter,
+                    int neighbours,
+                    Reach& reach,
+                    const Progress& progress) {
+  constexpr int most_turns = 4;
+  constexpr std::size_t places_a_turn = 4;
+  // Times the least screened error: what a fit may mend of it.
+  constexpr double may_be_better = 2.0;
+  const structure::Deck& deck = *fitter.problem().context.deck;
+  for (int turn = 0; turn < most_turns; ++turn) {
+    const Hypothesis best = *std::ranges::min_element(found, is_likelier);
+    const std::vector<Location>& all = fitter.places(*best.own().effect);
+    std::vector<Location> seen;
+    for (const Hypothesis& h : found) seen.push_back(h.own().where);
+    std::vector<EffectInstance> tries;
+    const std::vector<Screened> screened =
+        screen_elsewhere(current, best.fit, fitter, progress);
+    for (const Screened& s : screened) {
+      if (s.error > may_be_better * screened.front().error) break;
+      const Location& where = s.placed.where;
+      const bool known = std::ranges::any_of(seen, [&](const Location& other) {
+        return within_reach(other, where, all, deck, neighbours);
+      });
+      if (known || is_present(current, s.placed)) continue;
+      seen.push_back(where);
+      tries.push_back(s.placed);
+      if (tries.size() == places_a_turn) break;
+    }
+    if (tries.empty()) return;
+    bool gained = false;
+    for (Hypothesis& h : fit_each_beside(best.fit,
+                                         current,
+                                         tries,
+                                         fitter,
+                                         shared_base(current, tries, fitter),
+                                         reach,
+                                         progress)) {
+      gained = gained || is_likelier(h, best);
+      reach.take(h);
+      found.push_back(std::move(h));
+    }
+    if (!gained) return;
+  }
+}
 
 void climb_places(std::vector<Hypothesis>& found,
                   const Fit& current,

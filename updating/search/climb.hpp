@@ -8,6 +8,17 @@
 
 namespace tapfit::updating {
 
+/// Adds places of what resonates. It does most to one mode, and does as well
+/// wherever that moves as much: there are many tops. With what is fitted
+/// besides as the best of it has it, all grids are looked at again and the best
+/// of those apart are fitted, until none does better.
+void look_elsewhere(std::vector<Hypothesis>& found,
+                    const Fit& current,
+                    const Fitter& fitter,
+                    int neighbours,
+                    Reach& reach,
+                    const Progress& progress);
+
 /// From the best of a kind to a likelier one around it as long as there is one,
 /// and its pace may bring it near to what something reaches.
 /// @param found of one kind, not empty; gets all that were looked at

@@ -38,6 +38,15 @@ bool is_likelier(const Hypothesis& a, const Hypothesis& b) {
   return a.fit.log_likelihood > b.fit.log_likelihood;
 }
 
+std::shared_ptr<const FrfModel> shared_base(
+    const Fit& current,
+    const std::vector<EffectInstance>& tries,
+    const Fitter& fitter) {
+  std::vector<EffectInstance> all = current.effects;
+  all.insert(all.end(), tries.begin(), tries.end());
+  return fitter.model_for(all);
+}
+
 std::optional<Hypothesis> approach_one(
     const Fit& current,
     const EffectInstance& more,

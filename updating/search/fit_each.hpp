@@ -14,6 +14,12 @@ namespace tapfit::updating {
 [[nodiscard]] bool less_error(const Hypothesis& a, const Hypothesis& b);
 [[nodiscard]] bool is_likelier(const Hypothesis& a, const Hypothesis& b);
 
+/// One base for all of several effects that do not change the stiffness.
+[[nodiscard]] std::shared_ptr<const FrfModel> shared_base(
+    const Fit& current,
+    const std::vector<EffectInstance>& tries,
+    const Fitter& fitter);
+
 /// The first pass, for the present effects and one more; nothing where it is
 /// given up on the way.
 /// @param shared its base; null: it gets its own

@@ -18,10 +18,7 @@ void share_bases(std::vector<Planned>& plans,
                  const Fitter& fitter) {
   for_each_parallel(plans.size(), [&](std::size_t k) {
     if (plans[k].tries.empty() || plans[k].effect->changes_stiffness()) return;
-    std::vector<EffectInstance> together = current.effects;
-    together.insert(
-        together.end(), plans[k].tries.begin(), plans[k].tries.end());
-    plans[k].shared = fitter.model_for(together);
+    plans[k].shared = shared_base(current, plans[k].tries, fitter);
   });
 }
 

@@ -116,28 +116,6 @@ double least_error(const std::vector<Kind>& kinds) {
   return least;
 }
 
-// What resonates does most to one mode, and does it as well from elsewhere:
-// there are many tops, and a way to look for from each place that was fitted.
-void climb_from_each(Kind& kind,
-                     const Fit& current,
-                     const Fitter& fitter,
-                     const HypothesisOptions& options,
-                     Reach& reach,
-                     const Progress& progress) {
-  std::vector<Hypothesis> all;
-  for (const Hypothesis& start : kind.found) {
-    std::vector<Hypothesis> way{start};
-    climb_places(way, current, fitter, options.neighbours, reach, progress);
-    for (Hypothesis& h : way) {
-      const bool known = std::ranges::any_of(all, [&h](const Hypothesis& k) {
-        return k.own().where == h.own().where;
-      });
-      if (!known) all.push_back(std::move(h));
-    }
-  }
-  kind.found = std::move(all);
-}
-
 // From the best place of a kind to what is around it.
 void climb_from_best(Kind& kind,
                      const Fit& current,
@@ -147,11 +125,11 @@ void climb_from_best(Kind& kind,
                      const Progress& progress) {
   if (!kind.has_neighbours()) return;
   if (kind.resonates()) {
-    climb_from_each(kind, current, fitter, options, reach, progress);
-  } else {
-    climb_places(
+    look_elsewhere(
         kind.found, current, fitter, options.neighbours, reach, progress);
   }
+  climb_places(
+      kind.found, current, fitter, options.neighbours, reach, progress);
 }
 
 // The screening is of first order, and a loss of stiffness or a joint is often

@@ -6,7 +6,9 @@
 #include "updating/localisation/location_operators.hpp"
 #include "updating/places/element_cells.hpp"
 
+#include <array>
 #include <map>
+#include <span>
 #include <utility>
 
 namespace tapfit::updating {
@@ -26,13 +28,14 @@ std::vector<int> felt_along(const effects::Effect& effect,
   return context.components;
 }
 
-// Takes the point effects, each with the others that may sit where it may.
-void add_points(const Fitter& fitter,
+// Takes point effects, each with the others that may sit where it may.
+void add_points(std::span<const effects::Effect* const> effects,
+                const Fitter& fitter,
                 const LocationOperators& source,
                 ScreenedPlaces& places) {
   const effects::TestContext& context = fitter.problem().context;
   std::map<std::pair<int, int>, std::size_t> known;  // grid and axis
-  for (const effects::Effect* effect : effects::catalogue()) {
+  for (const effects::Effect* effect : effects) {
     if (!effect->sits_at_grid()) continue;
     for (const Location& where : fitter.places(*effect)) {
       for (const int along : felt_along(*effect, where, context)) {
@@ -93,10 +96,19 @@ void add_preloads(const effects::Effect& effect,
 
 }  // namespace
 
+ScreenedPlaces screened_grids(const effects::Effect& effect,
+                              const FrfModel& model,
+                              const Fitter& fitter) {
+  ScreenedPlaces places;
+  const std::array<const effects::Effect*, 1> one = {&effect};
+  add_points(one, fitter, LocationOperators(model), places);
+  return places;
+}
+
 ScreenedPlaces screened_places(const FrfModel& model, const Fitter& fitter) {
   LocationOperators source(model);
   ScreenedPlaces places;
-  add_points(fitter, source, places);
+  add_points(effects::catalogue(), fitter, source, places);
   for (const effects::Effect* effect : effects::catalogue()) {
     const auto change = effect->changes_stiffness();
     if (change == ChangeKind::Elements) {

@@ -25,6 +25,12 @@ struct ScreenedPlaces {
   ScannedPlaces scanned;
 };
 
+/// The grids where one point effect may sit.
+/// @param model may be asked about any grid
+[[nodiscard]] ScreenedPlaces screened_grids(const effects::Effect& effect,
+                                            const FrfModel& model,
+                                            const Fitter& fitter);
+
 /// All point effects, losses, joints and axial forces of the catalogue.
 /// @param model may be asked about any grid
 [[nodiscard]] ScreenedPlaces screened_places(const FrfModel& model,

@@ -32,12 +32,13 @@ using Eigen::VectorXd;
 // What readjusts is in the second alone, and the law is theirs.
 constexpr std::size_t grids_in_detail = 12;
 
-// A scan over all sizes, then closer around the best, one parameter after the
+// A scan over sizes, then closer around the best, one parameter after the
 // other.
 template <typename Best>
 Screened scanned(const std::vector<effects::ParameterSpec>& specs,
+                 const std::vector<std::vector<double>>& sizes,
                  const Best& best) {
-  Screened found = best(size_grid(specs));
+  Screened found = best(sizes);
   for (std::size_t k = 0; k < specs.size(); ++k) {
     const double step = std::log(specs[k].upper / specs[k].lower) / 13.0;
     std::vector<std::vector<double>> tried;
@@ -51,17 +52,30 @@ Screened scanned(const std::vector<effects::ParameterSpec>& specs,
   return found;
 }
 
+// The same of a resonance that is tuned: smaller where the mode moves more.
+std::vector<std::vector<double>> sizes_like(const EffectInstance& own) {
+  std::vector<std::vector<double>> tried;
+  for (double share = 1.0 / 16.0; share <= 16.0; share *= M_SQRT2) {
+    tried.push_back(own.p);
+    tried.back().front() *= share;
+  }
+  return tried;
+}
+
 class Screening {
  public:
   /// @param current its model may be asked about any grid
-  Screening(const Fit& current, const Fitter& fitter, const Progress& progress)
+  Screening(const Fit& current,
+            const Fitter& fitter,
+            const Target& target,
+            ScreenedPlaces places,
+            const Progress& progress)
       : context_(fitter.problem().context),
         fitter_(&fitter),
         current_(&current),
         measured_(&fitter.problem().measured),
-        // The widest line: the most forgiving about shifts.
-        target_(&fitter.problem().targets.front()),
-        places_(screened_places(*current.model, fitter)),
+        target_(&target),
+        places_(std::move(places)),
         scan_(current, *target_),
         place_scan_(current, *target_, scan_, places_.scanned, progress),
         now_(
@@ -71,7 +85,16 @@ class Screening {
   [[nodiscard]] std::vector<Screened> points() const {
     std::vector<std::size_t> all(places_.points.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return at_points(all, &ScreenedPlaces::Kinds::simple);
+    return at_points({all.begin(), all.end()}, &ScreenedPlaces::Kinds::simple);
+  }
+
+  // The same effect at the most promising points, around the sizes that it has
+  // at one.
+  [[nodiscard]] std::vector<Screened> like(const EffectInstance& own) const {
+    const auto sizes = sizes_like(own);
+    const std::set<std::size_t> best =
+        least_of(errors_with({{own.effect, laws_of(own, sizes)}}));
+    return at_points(best, &ScreenedPlaces::Kinds::detailed, &sizes);
   }
 
   // Effects of several parameters, at the most promising grids.
@@ -81,9 +104,8 @@ class Screening {
       any_law[b] = place_scan_.any_law(b);
     }
     std::set<std::size_t> best = least_of(any_law);
-    best.merge(least_of(rough_errors()));
-    return at_points({best.begin(), best.end()},
-                     &ScreenedPlaces::Kinds::detailed);
+    best.merge(least_of(errors_with(rough_laws())));
+    return at_points(best, &ScreenedPlaces::Kinds::detailed);
   }
 
   [[nodiscard]] std::vector<Screened> wide() const {
@@ -139,11 +161,11 @@ class Screening {
     std::vector<Screened> result(candidates.size());
     for_each_parallel(candidates.size(), [&](std::size_t k) {
       const EffectInstance& candidate = candidates[k];
-      result[k] =
-          scanned(candidate.effect->parameters(candidate.where, context_),
-                  [&](const auto& tried) {
-                    return best_response(candidate, tried, *model, now);
-                  });
+      const auto specs =
+          candidate.effect->parameters(candidate.where, context_);
+      result[k] = scanned(specs, size_grid(specs), [&](const auto& tried) {
+        return best_response(candidate, tried, *model, now);
+      });
     });
     return result;
   }
@@ -159,10 +181,12 @@ class Screening {
     return {order.begin(), order.end()};
   }
 
-  // Of every point what the best of few sizes of its effects of several
-  // parameters leaves.
-  [[nodiscard]] std::vector<double> rough_errors() const {
-    std::map<const effects::Effect*, MatrixXcd> laws;
+  // Each kind's own, a column for each of its sizes.
+  using Laws = std::map<const effects::Effect*, MatrixXcd>;
+
+  // Of few sizes of the effects of several parameters.
+  [[nodiscard]] Laws rough_laws() const {
+    Laws laws;
     for (const ScreenedPlaces::Kinds& kinds : places_.points) {
       for (const EffectInstance& e : kinds.detailed) {
         if (laws.contains(e.effect)) continue;
@@ -170,6 +194,11 @@ class Screening {
         laws[e.effect] = laws_of(e, size_grid(specs, {4, 24, 1}));
       }
     }
+    return laws;
+  }
+
+  // What the best of the laws leaves at every point.
+  [[nodiscard]] std::vector<double> errors_with(const Laws& laws) const {
     std::vector<double> errors(places_.points.size(), 1e300);
     for_each_parallel(errors.size(), [&](std::size_t b) {
       for (const EffectInstance& e : places_.points[b].detailed) {
@@ -208,17 +237,22 @@ class Screening {
   }
 
   // What may sit at some of the points.
+  // @param sizes to begin with, if not all that there may be
   [[nodiscard]] std::vector<Screened> at_points(
-      const std::vector<std::size_t>& points,
-      std::vector<EffectInstance> ScreenedPlaces::Kinds::*kinds) const {
+      const std::set<std::size_t>& at,
+      std::vector<EffectInstance> ScreenedPlaces::Kinds::*kinds,
+      const std::vector<std::vector<double>>* sizes = nullptr) const {
+    const std::vector<std::size_t> points(at.begin(), at.end());
     std::vector<std::vector<Screened>> each(points.size());
     for_each_parallel(points.size(), [&](std::size_t k) {
       const std::size_t b = points[k];
       const double any_law = place_scan_.any_law(b);
       for (const EffectInstance& effect : places_.points[b].*kinds) {
+        const auto specs = effect.effect->parameters(effect.where, context_);
         each[k].push_back(scanned(
-            effect.effect->parameters(effect.where, context_),
-            [&](const auto& tried) { return best_at_grid(b, effect, tried); }));
+            specs, sizes ? *sizes : size_grid(specs), [&](const auto& tried) {
+              return best_at_grid(b, effect, tried);
+            }));
         each[k].back().any_law = any_law;
       }
     });
@@ -275,6 +309,10 @@ class Screening {
   MatrixXcd now_;  // the model's FRFs as it is
 };
 
+void sort_by_error(std::vector<Screened>& found) {
+  std::ranges::sort(found, {}, &Screened::error);
+}
+
 }  // namespace
 
 std::vector<Screened> screen(const Fit& current,
@@ -282,7 +320,13 @@ std::vector<Screened> screen(const Fit& current,
                              const Progress& progress) {
   Fit anywhere = current;
   anywhere.model = fitter.model_for(current.effects, BaseUse::Scan);
-  const Screening screening(anywhere, fitter, progress);
+  // The widest line: the most forgiving about shifts.
+  const Target& widest = fitter.problem().targets.front();
+  const Screening screening(anywhere,
+                            fitter,
+                            widest,
+                            screened_places(*anywhere.model, fitter),
+                            progress);
   progress("screening", 0.5);
   std::vector<Screened> result = screening.points();
   for (const auto& more : {screening.detailed(),
@@ -292,9 +336,26 @@ std::vector<Screened> screen(const Fit& current,
                            screening.clamps()}) {
     result.insert(result.end(), more.begin(), more.end());
   }
-  std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) {
-    return a.error < b.error;
-  });
+  sort_by_error(result);
+  return result;
+}
+
+std::vector<Screened> screen_elsewhere(const Fit& current,
+                                       const Fit& best,
+                                       const Fitter& fitter,
+                                       const Progress& progress) {
+  const EffectInstance& own = best.result.state.effects.back();
+  Fit rest = current;
+  rest.result.state = best.result.state;
+  rest.result.state.effects.pop_back();
+  rest.model = fitter.model_for(current.effects, BaseUse::Scan);
+  const Screening screening(rest,
+                            fitter,
+                            fitter.target(),
+                            screened_grids(*own.effect, *rest.model, fitter),
+                            progress);
+  std::vector<Screened> result = screening.like(own);
+  sort_by_error(result);
   return result;
 }
 

@@ -24,4 +24,16 @@ namespace tapfit::updating {
                                            const Fitter& fitter,
                                            const Progress& progress);
 
+/// Screens the last effect of a fit at all its grids, with what is fitted
+/// besides as it stands there: far closer than before anything was fitted, and
+/// what acts on one mode alone does as well wherever that moves as much.
+///
+/// @param current without the effect
+/// @param best    with it, at a grid
+/// @return the effect at its most promising grids, least remaining error first
+[[nodiscard]] std::vector<Screened> screen_elsewhere(const Fit& current,
+                                                     const Fit& best,
+                                                     const Fitter& fitter,
+                                                     const Progress& progress);
+
 }  // namespace tapfit::updating
