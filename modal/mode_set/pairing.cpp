@@ -91,6 +91,7 @@ void insert_row(const Eigen::MatrixXd& cost,
         next = c;
       }
     }
+    if (next == 0) return;  // no column is left
     for (std::size_t c = 0; c <= columns; ++c) {
       if (seen[c]) {
         u[static_cast<std::size_t>(owner[c])] += step;
@@ -158,6 +159,7 @@ std::vector<Pair> pair_modes(const Eigen::MatrixXcd& measured,
   const std::vector<Index> found =
       assign(wide ? cost : Eigen::MatrixXd(cost.transpose()));
   for (std::size_t k = 0; k < found.size(); ++k) {
+    if (found[k] < 0) continue;
     const auto index = static_cast<Index>(k);
     const Index i = wide ? index : found[k];
     const Index m = wide ? found[k] : index;

@@ -60,8 +60,8 @@ struct Pair {
 
 /// Assignment of rows to columns with the least sum of costs.
 ///
-/// @param cost n x m, finite, n <= m
-/// @return per row its column
+/// @param cost n x m
+/// @return per row its column; -1 where none is left at a finite cost
 [[nodiscard]] std::vector<Eigen::Index> assign(const Eigen::MatrixXd& cost);
 
 }  // namespace tapfit::modal

@@ -6,7 +6,7 @@
 #include "updating/measurement/test_model.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
-#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/readers/scale_units.hpp"
 #include "updating/structure/solve/system.hpp"
@@ -34,7 +34,7 @@ structure::Deck read_any_model(const CommandOptions& options) {
   if (!std::filesystem::is_directory(input)) {
     structure::Deck deck = structure::read_deck(input, options.ignored_cards);
     structure::scale_to_si(deck, options.units);
-    for (std::string& text : structure::material_unit_warnings(deck)) {
+    for (std::string& text : structure::unit_warnings(deck)) {
       deck.warnings.push_back(std::move(text));
     }
     return deck;

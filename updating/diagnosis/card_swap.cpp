@@ -57,9 +57,16 @@ bool may_be_slip(const Fit& plain, const Fitter& fitter) {
 std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
                                         const Progress& progress) {
   std::vector<CardSlip> likely = card_slips(*fitter.problem().context.deck);
+  // A number out of scale first: of such a deck nothing else is told.
+  const auto others =
+      std::ranges::stable_partition(likely, &CardSlip::from_other_unit).begin();
+  const bool out_of_scale = others != likely.begin();
+  if (out_of_scale) likely.erase(others, likely.end());
   likely.resize(std::min(most_slips, likely.size()));
   const SlipFits fits =
-      fit_slips(fitter, worth_a_base(likely, fitter, progress), progress);
+      fit_slips(fitter,
+                out_of_scale ? likely : worth_a_base(likely, fitter, progress),
+                progress);
   const auto best = std::ranges::min_element(fits.slips, {}, &SlipFit::error);
   if (best == fits.slips.end()) return std::nullopt;
   // Each that was tried could have been found.
@@ -77,9 +84,14 @@ std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
                       best->edit};
 }
 
-bool explains_all(const SetUpMistake& slip, double as_written, double floor) {
-  return slip.error <= clear_of_floor * floor &&
-         as_written > clear_of_floor * slip.error;
+bool is_out_of_scale(const SetUpMistake& slip, const structure::Deck& deck) {
+  return std::ranges::any_of(slips_at(deck, slip.where),
+                             &CardSlip::from_other_unit);
+}
+
+bool explains_all(double mended, double as_written, double floor) {
+  return mended <= clear_of_floor * floor &&
+         as_written > clear_of_floor * mended;
 }
 
 bool none_explains(const Diagnosis& found, double floor) {

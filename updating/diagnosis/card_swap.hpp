@@ -18,20 +18,25 @@ namespace tapfit::updating {
 
 /// The likeliest of the deck's slips (card_slips.hpp): all through the deck's
 /// own base, and the best two, where they leave clearly less than the deck as
-/// it is, in bases of their own.
+/// it is, in bases of their own. Where numbers are out of scale only those are
+/// put right, each unit in a base of its own.
 /// @param fitter of a deck without effects
 /// @return the one that leaves least, where it is far likelier than the deck as
 ///   it is and leaves clearly less
 [[nodiscard]] std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
                                                       const Progress& progress);
 
+/// Whether it puts numbers right that no structure has: what is missing from a
+/// deck with them need not be asked.
+[[nodiscard]] bool is_out_of_scale(const SetUpMistake& slip,
+                                   const structure::Deck& deck);
+
 /// Whether no effect can do better: it comes near what the deck put right can
 /// come to, and the deck as it is stays clear of that.
-/// @param as_written error that a fit of the deck as it is leaves
+/// @param mended error that a fit of the deck put right leaves
+/// @param as_written the same of the deck as it is
 /// @param floor of the deck put right
-[[nodiscard]] bool explains_all(const SetUpMistake& slip,
-                                double as_written,
-                                double floor);
+[[nodiscard]] bool explains_all(double mended, double as_written, double floor);
 
 /// Whether no effect by itself comes near the floor.
 [[nodiscard]] bool none_explains(const Diagnosis& found, double floor);

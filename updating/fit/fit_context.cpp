@@ -5,6 +5,7 @@
 #include "updating/measurement/mode_choices.hpp"
 #include "updating/reduction/corrections.hpp"
 #include "updating/residual/mesh_error.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 
 #include <fmt/format.h>
@@ -58,6 +59,27 @@ std::vector<Eigen::Index> without(const std::vector<Eigen::Index>& foreign,
   return kept;
 }
 
+std::string units_in_doubt(const FitProblem& problem) {
+  const std::vector<std::string> all =
+      structure::unit_warnings(*problem.context.deck);
+  return all.empty() ? "" : all.front();
+}
+
+// A mode of the model for each that was measured.
+void check_modes(const FitProblem& problem, const FrfModel& model) {
+  const Eigen::Index measured = problem.modes->modes();
+  const Eigen::Index own = model.modes_at_points().first.size();
+  if (own >= measured) return;
+  const std::string doubt = units_in_doubt(problem);
+  throw InputError(
+      fmt::format("there are more measured modes ({}) than the model has ({})",
+                  measured,
+                  own),
+      problem.context.bundle->modes->file.filename().string(),
+      doubt.empty() ? "leave those out that the model cannot have, by band_hz"
+                    : "put the deck right first: " + doubt);
+}
+
 // Leaves out what the base model has no mode like.
 void settle_modes(const BaseBuilder& builder,
                   const std::vector<PairByHand>& by_hand,
@@ -77,21 +99,14 @@ void settle_modes(const BaseBuilder& builder,
         "mode whose shape is alike",
         data.frequency_hz(r)));
   }
-  data = data.only(without(foreign, data.modes()));
-  if (data.modes() == 0) {
+  const std::vector<Eigen::Index> own = without(foreign, data.modes());
+  // A deck with a number that no structure has is put right in the diagnosis.
+  if (own.empty() && units_in_doubt(problem).empty()) {
     throw InputError("no measured shape is like one of the model's",
                      file,
                      "check the points' grids and directions");
   }
-  if (omega.size() < data.modes()) {
-    throw InputError(
-        fmt::format("there are more measured modes ({}) than the model has "
-                    "({})",
-                    data.modes(),
-                    omega.size()),
-        file,
-        "leave those out that the model cannot have, by band_hz");
-  }
+  if (!own.empty()) data = data.only(own);
   problem.modes = std::make_shared<const ModalData>(std::move(data));
   problem.targets = {make_target(*problem.modes)};
 }
@@ -172,6 +187,7 @@ FitContext prepare_fits(const SolvedModel& model,
   const Target& target = fitter.target();
   Fit& base = ground.base;
   base.model = fitter.model_for({});
+  if (fitter.problem().modes) check_modes(fitter.problem(), *base.model);
   base.result.state = fitter.first_state(*base.model, {});
   base.result.error = relative_error(
       target, base.model->respond(base.result.state, target.s, false).H);

@@ -1,9 +1,12 @@
 #include "updating/frf_model/modal_data.hpp"
 
 #include "acquisition/foundation/constants.hpp"
+#include "acquisition/foundation/input_error.hpp"
 #include "modal/mode_set/complexity.hpp"
 #include "modal/mode_set/mac.hpp"
 #include "modal/mode_set/pairing.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,6 +135,14 @@ std::vector<PairedMode> paired_modes(const ModalData& data,
   for (Index r = 0; r < data.modes(); ++r) {
     PairedMode pair;
     pair.model = model[static_cast<std::size_t>(r)];
+    if (pair.model < 0) {
+      throw InputError(
+          fmt::format("the model has {} modes for {} measured ones",
+                      omega.size(),
+                      data.modes()),
+          "the model",
+          "leave those out that the model cannot have, by band_hz");
+    }
     pair.u = at_points.col(pair.model);
     const VectorXd Q = data.shape_weight.col(r).cwiseAbs2();
     const double power = pair.u.dot(Q.cwiseProduct(pair.u));

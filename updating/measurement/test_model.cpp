@@ -6,7 +6,7 @@
 #include "updating/measurement/named_grids.hpp"
 #include "updating/measurement/place_points.hpp"
 #include "updating/structure/assembly/multipoint_constraints.hpp"
-#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/readers/matrix_market.hpp"
 #include "updating/structure/readers/scale_units.hpp"
@@ -185,7 +185,7 @@ structure::Deck read_test_model(const acquisition::TestBundle& bundle) {
   }
   structure::Deck deck = read_model(bundle);
   structure::scale_to_si(deck, bundle.units);
-  std::ranges::move(structure::material_unit_warnings(deck),
+  std::ranges::move(structure::unit_warnings(deck),
                     std::back_inserter(deck.warnings));
   if (!structure::can_refine(deck)) {
     deck.warnings.push_back(

@@ -6,7 +6,7 @@
 #include "updating/reduction/deck_forms.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/structure/assembly/assemble.hpp"
-#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 #include "updating/structure/elements/dashpots.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"

@@ -62,7 +62,7 @@ std::vector<SlipFit> fit_each(const Fitter& fitter,
         "cards of the deck",
         static_cast<double>(fits.size()) / static_cast<double>(slips.size()));
     structure::Deck corrected = *fitter.problem().context.deck;
-    slip.correct(corrected);
+    put_right(corrected, slip);
     SlipFit fit = fit_one(corrected, fitter, progress);
     fit.edit = slip.edit;
     fit.elements = slip.elements;

@@ -33,7 +33,7 @@ class CardSwap final : public Effect {
   void correct_deck(const Location& where,
                     structure::Deck& deck) const override {
     for (const updating::CardSlip& slip : updating::slips_at(deck, where)) {
-      slip.correct(deck);
+      updating::put_right(deck, slip);
     }
   }
 

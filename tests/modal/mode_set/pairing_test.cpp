@@ -22,6 +22,15 @@ double cost_of(const Eigen::MatrixXd& cost, const std::vector<Index>& columns) {
   return sum;
 }
 
+TEST(Assign, LeavesRowsWithoutAColumnThatIsFree) {
+  EXPECT_EQ(assign(Eigen::MatrixXd::Zero(2, 0)), (std::vector<Index>{-1, -1}));
+  const std::vector<Index> two = assign(Eigen::MatrixXd::Zero(3, 2));
+  EXPECT_EQ(std::ranges::count(two, -1), 1);
+  Eigen::MatrixXd unknown = Eigen::MatrixXd::Zero(2, 2);
+  unknown.row(1).setConstant(std::nan(""));
+  EXPECT_EQ(assign(unknown)[1], -1);
+}
+
 TEST(Assign, IsAsCheapAsTheBestOfAllPermutations) {
   std::mt19937_64 random(2);
   std::uniform_real_distribution<double> uniform;

@@ -97,12 +97,40 @@ TEST_F(CardSwap, OfExchangedModuliIsFound) {
   EXPECT_GT(slip->probability, 0.99);
 }
 
+TEST_F(CardSwap, OfHalfTheThicknessIsFoundFromFrfs) {
+  const structure::Deck truth = wooden_plate(11e9, 0.8e9);
+  structure::Deck half = truth;
+  half.shell_properties[1].thickness *= 0.5;
+  measure(truth, half);
+  const auto slip = found();
+  ASSERT_TRUE(slip);
+  EXPECT_EQ(slip->where.variant, "T-times-2");
+  EXPECT_LT(slip->error, 0.03);
+  EXPECT_FALSE(is_out_of_scale(*slip, deck_));
+}
+
+// Psi make the modulus of steel, too: the measurement tells.
+TEST_F(CardSwap, OfAModulusInAnotherUnitIsFound) {
+  const structure::Deck truth = support::plate_deck(true);
+  structure::Deck in_MPa = truth;
+  in_MPa.materials[1].E *= 1e-6;
+  in_MPa.materials[1].G *= 1e-6;
+  measure(truth, in_MPa);
+  ASSERT_GT(card_slips(deck_).size(), 3U);
+  const auto slip = found();
+  ASSERT_TRUE(slip);
+  EXPECT_EQ(slip->where.variant, "E-in-MPa");
+  EXPECT_EQ(slip->edit, "model: material 1, E from MPa to SI");
+  EXPECT_LT(slip->error, 0.03);
+  EXPECT_TRUE(is_out_of_scale(*slip, deck_));
+}
+
 TEST(DeckSlip, ExplainsAllOrLeavesLess) {
+  EXPECT_TRUE(explains_all(0.05, 0.8, 0.02));
+  EXPECT_FALSE(explains_all(0.05, 0.8, 0.01));
+  EXPECT_FALSE(explains_all(0.05, 0.1, 0.02));
   SetUpMistake slip;
   slip.error = 0.05;
-  EXPECT_TRUE(explains_all(slip, 0.8, 0.02));
-  EXPECT_FALSE(explains_all(slip, 0.8, 0.01));
-  EXPECT_FALSE(explains_all(slip, 0.1, 0.02));
   Diagnosis found;
   found.error_fitted = 0.8;
   EXPECT_TRUE(leaves_less(slip, found));

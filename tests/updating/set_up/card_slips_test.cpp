@@ -2,9 +2,12 @@
 
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
+#include "updating/set_up/card_units.hpp"
 #include "updating/set_up/mistakes.hpp"
 
 #include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
 
 namespace tapfit::updating {
 namespace {
@@ -25,7 +28,7 @@ TEST(CardSlips, OfBarsAreTheirSecondMoments) {
   EXPECT_EQ(slips[0].numbers[0].number.property, "I1");
   EXPECT_NEAR(slips[0].numbers[0].factor, 1.0 / 3.0, 1e-12);
   EXPECT_NEAR(slips[0].numbers[1].factor, 3.0, 1e-12);
-  slips[0].correct(deck);
+  put_right(deck, slips[0]);
   EXPECT_EQ(deck.bar_properties[3].I1, 1e-8);
   EXPECT_EQ(deck.bar_properties[3].I2, 3e-8);
   EXPECT_EQ(deck.bar_properties[3].J, 2e-8);
@@ -67,11 +70,71 @@ TEST(CardSlips, OfAnOrthotropicPlateAreModuliAndThickness) {
   EXPECT_EQ(slips[0].edit, "model: MAT8 1, exchange E1 and E2");
   EXPECT_EQ(slips[0].elements.size(), deck.shells.size());
   EXPECT_EQ(slips[1].edit, "model: PSHELL 1, T times 2");
-  slips[0].correct(deck);
+  put_right(deck, slips[0]);
   EXPECT_EQ(deck.materials[1].E, 5e9);
   EXPECT_EQ(deck.materials[1].E2, 70e9);
-  slips[2].correct(deck);
+  put_right(deck, slips[2]);
   EXPECT_NEAR(deck.shell_properties[1].thickness, 0.0015, 1e-12);
+}
+
+std::vector<std::string> kinds_of(const structure::Deck& deck) {
+  std::vector<std::string> kinds;
+  for (const CardSlip& slip : unit_slips_of(deck)) {
+    EXPECT_TRUE(slip.from_other_unit);
+    EXPECT_THAT(slip_kinds(), testing::Contains(slip.kind));
+    kinds.push_back(slip.kind);
+  }
+  return kinds;
+}
+
+TEST(CardSlips, AreUnitsInWhichAMaterialIsASolid) {
+  structure::Deck deck = support::plate_deck(true);
+  EXPECT_TRUE(unit_slips_of(deck).empty());
+  structure::Material& aluminium = deck.materials[1];
+  const double G = aluminium.G;
+  aluminium.E *= 1e-6;
+  aluminium.G *= 1e-6;
+  const std::vector<CardSlip> slips = unit_slips_of(deck);
+  EXPECT_THAT(kinds_of(deck), testing::Contains("E-in-MPa"));
+  EXPECT_THAT(kinds_of(deck), testing::Not(testing::Contains("E-in-GPa")));
+  EXPECT_EQ(slips[0].edit, "model: material 1, E from MPa to SI");
+  EXPECT_EQ(slips[0].elements.size(), deck.shells.size());
+  put_right(deck, slips[0]);
+  EXPECT_NEAR(aluminium.E, 70e9, 1.0);
+  EXPECT_NEAR(aluminium.G, G, 1.0);
+  aluminium.E = 70.0;
+  EXPECT_THAT(kinds_of(deck), testing::Contains("E-in-GPa"));
+  aluminium.E = 10e6;
+  EXPECT_THAT(kinds_of(deck), testing::Contains("E-in-psi"));
+  aluminium.E = 70e9;
+  aluminium.rho = 2.7e-6;
+  EXPECT_THAT(kinds_of(deck), testing::ElementsAre("RHO-in-kg/mm3"));
+  aluminium.rho = 2.7e-9;
+  EXPECT_THAT(kinds_of(deck), testing::ElementsAre("RHO-in-t/mm3"));
+  aluminium.rho = 0.0975;
+  EXPECT_THAT(kinds_of(deck), testing::Contains("RHO-in-lb/in3"));
+}
+
+TEST(CardSlips, AreUnitsInWhichASectionFitsTheStructure) {
+  structure::Deck deck = support::plate_deck(true);
+  const double thickness = deck.shell_properties[1].thickness;
+  deck.shell_properties[1].thickness *= 1000.0;
+  EXPECT_THAT(kinds_of(deck), testing::Contains("T-in-mm"));
+  for (const CardSlip& slip : unit_slips_of(deck)) {
+    if (slip.kind == "T-in-mm") put_right(deck, slip);
+  }
+  EXPECT_NEAR(deck.shell_properties[1].thickness, thickness, 1e-12);
+  structure::Deck beam;
+  beam.grids = {{1, {0, 0, 0}}, {2, {0.2, 0, 0}}, {3, {0.4, 0, 0}}};
+  beam.bars = {structure::make_bar(7, 3, 1, 2),
+               structure::make_bar(5, 3, 2, 3)};
+  beam.bar_properties[3] = {3, 1, 240.0, 1280.0, 18000.0, 0.0, 4260.0};
+  EXPECT_THAT(kinds_of(beam), testing::Contains("section-in-mm"));
+  put_right(beam, unit_slips_of(beam)[0]);
+  EXPECT_NEAR(beam.bar_properties[3].area, 2.4e-4, 1e-16);
+  EXPECT_NEAR(beam.bar_properties[3].I1, 1.28e-9, 1e-21);
+  EXPECT_NEAR(beam.bar_properties[3].I2, 1.8e-8, 1e-20);
+  EXPECT_NEAR(beam.bar_properties[3].J, 4.26e-9, 1e-21);
 }
 
 }  // namespace

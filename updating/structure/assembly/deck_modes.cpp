@@ -3,7 +3,7 @@
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/assembly/autospc.hpp"
 #include "updating/structure/cards/error_notes.hpp"
-#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 #include "updating/structure/deck/constraint_axes.hpp"
 #include "updating/structure/solve/factor.hpp"
 #include "updating/structure/solve/free_motions.hpp"

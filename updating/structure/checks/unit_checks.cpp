@@ -1,8 +1,9 @@
-#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/structure/cards/listed.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -19,20 +20,40 @@ std::string place_of(const Deck& deck, const Material& m) {
 
 }  // namespace
 
-std::vector<std::string> material_unit_warnings(const Deck& deck) {
-  // From soft foam to beyond diamond.
+bool is_solid(double modulus, double density) {
   constexpr double softest = 1e3;  // [Pa]
   constexpr double stiffest = 1e13;
-  constexpr double slowest = 1.0;  // [m/s]
+  constexpr double slowest = 5.0;  // [m/s]
   constexpr double fastest = 3e4;
+  constexpr double dense = 2500.0;         // [kg/m^3], above all polymers
+  constexpr double slowest_dense = 300.0;  // [m/s]
+  if (modulus < softest || modulus > stiffest) return false;
+  if (density <= 0.0) return true;
+  const double speed = std::sqrt(modulus / density);
+  return speed <= fastest &&
+         speed >= (density > dense ? slowest_dense : slowest);
+}
+
+double size_of(const Deck& deck) {
+  Eigen::AlignedBox3d box;
+  for (const Grid& grid : deck.grids) {
+    if (!grid.scalar) box.extend(grid.position);
+  }
+  return box.isEmpty() ? 0.0 : box.sizes().norm();
+}
+
+bool is_too_long(double length, double size) {
+  constexpr double most = 0.5;
+  return length > most * size;
+}
+
+std::vector<std::string> unit_warnings(const Deck& deck) {
   std::vector<std::string> texts;
   if (deck.given) return texts;
   for (const auto& [id, m] : deck.materials) {
     if (m.E <= 0.0) continue;
-    const bool odd_modulus = m.E < softest || m.E > stiffest;
     const double rho = m.rho * deck.weight_to_mass;
-    const double speed = rho > 0.0 ? std::sqrt(m.E / rho) : slowest;
-    if (!odd_modulus && speed >= slowest && speed <= fastest) continue;
+    if (is_solid(m.E, rho)) continue;
     texts.push_back(fmt::format(
         "{}: E = {:.4g} Pa with a density of {:.4g} kg/m^3 is no solid's; "
         "check the deck's \"units\" in test.json, \"SI\", \"mm-t-s\" "
@@ -41,6 +62,16 @@ std::vector<std::string> material_unit_warnings(const Deck& deck) {
         place_of(deck, m),
         m.E,
         rho));
+  }
+  const double size = size_of(deck);
+  for (const auto& [id, p] : deck.shell_properties) {
+    if (!is_too_long(p.thickness, size)) continue;
+    texts.push_back(fmt::format(
+        "{}: a thickness of {:.4g} m is no shell's in a structure of {:.4g} m; "
+        "check its unit",
+        card_place(deck, p.where, fmt::format("PSHELL {}", id)),
+        p.thickness,
+        size));
   }
   return texts;
 }

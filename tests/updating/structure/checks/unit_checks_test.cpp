@@ -1,4 +1,4 @@
-#include "updating/structure/checks/material_checks.hpp"
+#include "updating/structure/checks/unit_checks.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
 #include "tests/support/matchers.hpp"
@@ -14,31 +14,44 @@ Deck with_material(double E, double rho) {
   return deck;
 }
 
-TEST(MaterialChecks, PassWhatSolidsHave) {
+TEST(UnitChecks, PassWhatSolidsHave) {
   for (const auto& [E, rho] : {std::pair{1.05e12, 3500.0},  // diamond
                                std::pair{210e9, 7850.0},
                                std::pair{2e6, 1100.0},  // rubber
                                std::pair{2e4, 30.0},    // foam
                                std::pair{210e9, 0.0}}) {
-    EXPECT_TRUE(material_unit_warnings(with_material(E, rho)).empty()) << E;
+    EXPECT_TRUE(unit_warnings(with_material(E, rho)).empty()) << E;
   }
 }
 
-TEST(MaterialChecks, NameOtherUnits) {
-  // Steel in MPa and t/mm^3, in GPa, in MPa and kg/m^3 a thousandfold, and in
-  // SI but scaled as mm-t-s.
-  for (const auto& [E, rho] : {std::pair{210e3, 7.85e-9},
+TEST(UnitChecks, NameOtherUnits) {
+  // Steel in MPa, in MPa and t/mm^3, in GPa, in MPa and kg/m^3 a thousandfold,
+  // and in SI but scaled as mm-t-s.
+  for (const auto& [E, rho] : {std::pair{210e3, 7850.0},
+                               std::pair{210e3, 7.85e-9},
                                std::pair{210.0, 0.0},
                                std::pair{210e3, 7.85e6},
                                std::pair{210e15, 7850e12}}) {
-    const auto texts = material_unit_warnings(with_material(E, rho));
+    const auto texts = unit_warnings(with_material(E, rho));
     ASSERT_EQ(texts.size(), 1U) << E;
     EXPECT_THAT(texts[0], HasSubstr("MAT1 7"));
     EXPECT_THAT(texts[0], HasSubstr("mm-t-s"));
   }
 }
 
-TEST(MaterialChecks, NameTheCardWithoutDensity) {
+TEST(UnitChecks, NameAShellThatIsThickerThanTheStructure) {
+  Deck deck;
+  deck.grids = {{1, {0, 0, 0}}, {2, {0.3, 0.4, 0}}};
+  deck.shell_properties[2].thickness = 0.2;
+  EXPECT_TRUE(unit_warnings(deck).empty());
+  deck.shell_properties[2].thickness = 5.0;
+  const auto texts = unit_warnings(deck);
+  ASSERT_EQ(texts.size(), 1U);
+  EXPECT_THAT(texts[0], HasSubstr("PSHELL 2"));
+  EXPECT_THAT(texts[0], HasSubstr("0.5 m"));
+}
+
+TEST(UnitChecks, NameTheCardWithoutDensity) {
   const InputError error = no_density(with_material(7e10, 0.0), "no mass");
   EXPECT_THAT(error.where(), HasSubstr("MAT1 7"));
   EXPECT_THAT(error.remedy(), HasSubstr("RHO"));
