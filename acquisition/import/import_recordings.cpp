@@ -7,12 +7,8 @@
 #include "acquisition/foundation/output_file.hpp"
 #include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/foundation/units.hpp"
-#include "acquisition/import/read_time_table.hpp"
-#include "acquisition/instruments/instrument_file.hpp"
+#include "acquisition/import/import_tables.hpp"
 #include "acquisition/readers/audio_file.hpp"
-#include "acquisition/readers/named_array.hpp"
-#include "acquisition/samples/rate_of_times.hpp"
-#include "acquisition/samples/statistics.hpp"
 
 #include <fmt/format.h>
 
@@ -28,165 +24,16 @@ namespace {
 namespace fs = std::filesystem;
 using Eigen::Index;
 
-std::vector<ImportChannel> all_channels(const ImportOptions& options) {
-  std::vector<ImportChannel> channels{options.hammer};
-  channels.insert(
-      channels.end(), options.sensors.begin(), options.sensors.end());
-  return channels;
-}
-
-// Says where a column of times leaves its step: with a gap, all times up to it
-// are far from a straight line through the ends.
-[[noreturn]] void refuse_uneven(const Eigen::VectorXd& time,
-                                const std::string& file) {
-  const Index n = time.size();
-  const Eigen::VectorXd steps = time.tail(n - 1) - time.head(n - 1);
-  const double usual = median(steps);
-  Index row = 0;
-  (steps.array() - usual).abs().maxCoeff(&row);
-  throw InputError(
-      fmt::format("the sampling is uneven: from row {} of the numbers to the "
-                  "next it goes on by {:.6g} s (at {:.6g} s), elsewhere by "
-                  "{:.6g} s",
-                  row + 1,
-                  steps[row],
-                  time[row],
-                  usual),
-      file,
-      "export without gaps, or cut the file at the gap");
-}
-
-// The sampling rate from a column of times; each time may be half a step off.
-RateOfTimes rate_of(const Eigen::VectorXd& time, const std::string& file) {
-  const auto rate = rate_of_times(time);
-  if (!rate) {
-    throw InputError("the time column does not rise",
-                     file,
-                     "name the column that holds seconds, or give the rate");
-  }
-  if (rate->uneven) refuse_uneven(time, file);
-  return *rate;
-}
-
-[[noreturn]] void refuse_rate(double rate,
-                              bool from_times,
-                              const std::string& file) {
-  throw InputError(
-      fmt::format("is sampled at {:.8g} Hz, which is no whole number: the "
-                  "sound files of a bundle cannot say it",
-                  rate),
-      file,
-      from_times ? "give the sampling rate if the times are rounded, or "
-                   "resample to a whole number of Hz"
-                 : "resample to a whole number of Hz, or give the records as a "
-                   "universal file (dataset 58, with their points): that keeps "
-                   "the rate and is a bundle by itself");
-}
-
-// Sound files hold whole numbers of Hz. Times printed with few digits give the
-// rate with few digits, and so do multiples of a step of four; a rate that is
-// stated is what it is.
-int whole_rate(double rate,
-               const std::optional<double>& spread,
-               const std::string& file,
-               std::vector<std::string>& notes) {
-  if (!(rate > 0.0) || !(rate < 1e9)) {
-    throw InputError(fmt::format("has a sampling rate of {:.6g} Hz", rate),
-                     file,
-                     "give the sampling rate in Hz, a number above zero");
-  }
-  constexpr double exact = 1e-6;
-  const double whole = std::round(rate);
-  const double off = std::abs(rate - whole) / rate;
-  const double allowed = spread ? std::max(1e-4, *spread) : exact;
-  if (whole < 1.0 || off > allowed) refuse_rate(rate, spread.has_value(), file);
-  if (off > exact) {
-    notes.push_back(
-        fmt::format("{}: its times give {:.8g} Hz; {:.0f} Hz are taken, since "
-                    "sound files hold whole numbers of Hz",
-                    file,
-                    rate,
-                    whole));
-  }
-  return static_cast<int>(whole);
-}
-
-struct Table {
-  int rate = 0;
-  Eigen::MatrixXd values;          ///< n_rows x (1 + sensors), as in the file
-  std::vector<std::string> units;  ///< as the file says, may be empty
-  std::vector<std::string> notes;  ///< on the times and the rate
-};
-
-// The columns, and behind them a column of times where it is to tell the rate.
-//
-// @param rate set to what a variable of the file says
-TimeTable read_source(const ImportFile& source,
-                      const ImportOptions& options,
-                      std::vector<std::string> columns,
-                      const Progress& progress,
-                      std::optional<double>& rate) {
-  if (!is_instrument_file(source.file)) {
-    if (options.rate_variable) {
-      throw InputError(fmt::format("\"{}\" is no rate in Hz, and this file has "
-                                   "no variables",
-                                   *options.rate_variable),
-                       source.file.string(),
-                       "give the sampling rate in Hz");
-    }
-    if (!rate && !says_rate(source.file)) {
-      columns.push_back(options.time_column.value_or("1"));
-    }
-    return read_time_table(source.file, columns, options.csv, progress);
-  }
-  const InstrumentFile file = read_instrument_file(source.file, progress);
-  if (!rate && options.rate_variable) {
-    rate = number_of(file.arrays, *options.rate_variable, source.file);
-  }
-  if (!rate && options.time_column) columns.push_back(*options.time_column);
-  return table_of(file, columns);
-}
-
-Table read_table(const ImportFile& source,
-                 const ImportOptions& options,
-                 const Progress& progress) {
-  std::vector<std::string> columns;
-  for (const ImportChannel& channel : all_channels(options)) {
-    columns.push_back(channel.column);
-  }
-  const std::string file = source.file.string();
-  const auto count = static_cast<Index>(columns.size());
-  std::optional<double> rate = options.sample_rate_hz;
-  TimeTable read = read_source(source, options, columns, progress, rate);
-  std::optional<double> spread;
-  if (!rate && read.values.cols() > count) {
-    const RateOfTimes timed = rate_of(read.values.col(count), file);
-    rate = timed.hz;
-    spread = timed.spread;
-  } else if (!rate) {
-    rate = read.rate_hz;
-    spread = read.rate_spread;
-  }
-  if (!rate) refuse_without_rate(source.file);
-  Table table;
-  table.notes = std::move(read.notes);
-  table.rate = whole_rate(*rate, spread, file, table.notes);
-  table.units = std::move(read.units);
-  table.values = std::move(read.values);
-  table.values.conservativeResize(Eigen::NoChange, count);
-  return table;
-}
-
 // The channel's unit: as given, else as the files say, else the usual one.
 std::string unit_of(const ImportChannel& channel,
-                    const std::vector<Table>& tables,
+                    const std::vector<ImportTable>& tables,
                     std::size_t column) {
   if (!channel.unit.empty()) return channel.unit;
   std::string unit = tables[0].units.at(column);
   const auto said = [](const std::string& text) {
     return text.empty() ? "no unit" : text;
   };
-  for (const Table& table : tables) {
+  for (const ImportTable& table : tables) {
     if (table.units.at(column) == unit) continue;
     throw InputError(fmt::format("column \"{}\" is in {} in one file and in {} "
                                  "in another",
@@ -204,9 +51,9 @@ std::string unit_of(const ImportChannel& channel,
 
 // Power of two with at least a quarter of room above the largest value, so
 // that no sample looks like an overload and scaling loses no digit.
-double full_scale(const std::vector<Table>& tables, Index column) {
+double full_scale(const std::vector<ImportTable>& tables, Index column) {
   double largest = 0.0;
-  for (const Table& table : tables) {
+  for (const ImportTable& table : tables) {
     largest = std::max(largest, table.values.col(column).cwiseAbs().maxCoeff());
   }
   if (largest == 0.0) return 1.0;
@@ -250,7 +97,7 @@ Run bundle_run(const ImportFile& source,
 
 // A sensor that was not connected, or a column that is another's.
 std::vector<std::string> dead_columns(const ImportOptions& options,
-                                      const std::vector<Table>& tables) {
+                                      const std::vector<ImportTable>& tables) {
   const std::vector<ImportChannel> channels = all_channels(options);
   std::vector<std::string> notes;
   for (std::size_t r = 0; r < tables.size(); ++r) {
@@ -259,7 +106,7 @@ std::vector<std::string> dead_columns(const ImportOptions& options,
       notes.push_back(
           fmt::format("{}: column \"{}\" ({}) is zero throughout; check that "
                       "it is the right one",
-                      options.files[r].file.filename().string(),
+                      tables[r].source->file.filename().string(),
                       channels[k].column,
                       channels[k].channel));
     }
@@ -267,9 +114,11 @@ std::vector<std::string> dead_columns(const ImportOptions& options,
   return notes;
 }
 
-// "run-01.csv" becomes "run-01.wav"; a name used before gets a number.
-fs::path sound_file(const ImportFile& source, std::set<std::string>& used) {
-  const std::string stem = source.file.stem().string();
+// "run-01.csv" becomes "run-01.wav", the second of several runs in "taps.h5"
+// "taps-2.wav"; a name used before gets a number.
+std::string sound_file(const ImportTable& table, std::set<std::string>& used) {
+  std::string stem = table.source->file.stem().string();
+  if (table.run > 0) stem += fmt::format("-{}", table.run);
   std::string result = stem + ".wav";
   for (int i = 2; !used.insert(result).second; ++i) {
     result = fmt::format("{}-{}.wav", stem, i);
@@ -288,15 +137,6 @@ OutputRule output_rule(const ImportOptions& options) {
 }
 
 }  // namespace
-
-void refuse_without_rate(const fs::path& file) {
-  throw InputError(
-      "does not say its sampling rate in times that rise evenly, "
-      "a rate or a step",
-      file.string(),
-      "give it with --rate HZ or --rate VARIABLE, or name the "
-      "times with --time");
-}
 
 void check_import(const ImportOptions& options) {
   std::error_code ignored;
@@ -329,10 +169,7 @@ TestBundle import_recordings(const ImportOptions& options,
                      "name at least one file and one sensor's column");
   }
   check_import(options);
-  std::vector<Table> tables;
-  for (const ImportFile& file : options.files) {
-    tables.push_back(read_table(file, options, progress));
-  }
+  const std::vector<ImportTable> tables = read_import_tables(options, progress);
   TestBundle bundle;
   bundle.title = options.title;
   if (options.deck) bundle.deck = fs::absolute(*options.deck);
@@ -353,7 +190,7 @@ TestBundle import_recordings(const ImportOptions& options,
   for (std::size_t r = 0; r < tables.size(); ++r) {
     progress("writing",
              static_cast<double>(r) / static_cast<double>(tables.size()));
-    const std::string name = sound_file(options.files[r], used);
+    const std::string name = sound_file(tables[r], used);
     output.write(name, [&](const fs::path& file) {
       write_audio(file,
                   tables[r].values * scale.asDiagonal(),
@@ -361,7 +198,7 @@ TestBundle import_recordings(const ImportOptions& options,
                   AudioFormat::WavFloat64);
     });
     bundle.runs.push_back(
-        bundle_run(options.files[r], options, options.folder / name));
+        bundle_run(*tables[r].source, options, options.folder / name));
   }
   progress("writing", 1.0);
   output.write("test.json", [&](const fs::path& file) {
@@ -371,8 +208,8 @@ TestBundle import_recordings(const ImportOptions& options,
   });
   output.commit();
   TestBundle written = read_test_bundle(options.folder);
-  for (Table& table : tables) {
-    std::ranges::move(table.notes, std::back_inserter(written.warnings));
+  for (const ImportTable& table : tables) {
+    std::ranges::copy(table.notes, std::back_inserter(written.warnings));
   }
   for (std::string& note : dead_columns(options, tables)) {
     written.warnings.push_back(std::move(note));

@@ -6,74 +6,18 @@
 //
 // Makes a test bundle out of files of samples
 // (acquisition/import/read_time_table.hpp): test.json and one sound file for
-// each.
+// each run.
 #pragma once
 
 #include "acquisition/bundle/test_bundle.hpp"
-#include "acquisition/foundation/output_rule.hpp"
 #include "acquisition/foundation/progress.hpp"
-#include "acquisition/import/time_table.hpp"
-#include "acquisition/readers/csv_table.hpp"
-
-#include <array>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <vector>
+#include "acquisition/import/import_options.hpp"
 
 namespace tapfit::acquisition {
-
-/// What a column of the files is.
-struct ImportChannel {
-  std::string column;   ///< as time_table.hpp names them
-  std::string channel;  ///< the channel's name in the bundle
-  Quantity quantity = Quantity::Acceleration;
-  /// Empty: what the file says, else N or m/s^2.
-  std::string unit = {};
-  /// Given: the column holds volts, and this many make one unit. Empty: the
-  /// column holds the unit itself.
-  std::optional<double> volts_per_unit = std::nullopt;
-  /// Of a column that holds the unit: what the recorder has divided by.
-  std::optional<double> recorded_volts_per_unit = std::nullopt;
-  bool flip_sign = false;
-  std::optional<double> mass_kg = std::nullopt;
-  Dof dof =
-      {};  ///< where it was; for the hammer unless the file says otherwise
-};
-
-/// One recording.
-struct ImportFile {
-  std::filesystem::path file;
-  std::optional<Dof> hammer;  ///< where this file's blows fell
-};
-
-struct ImportOptions {
-  std::vector<ImportFile> files;
-  ImportChannel hammer;
-  std::vector<ImportChannel> sensors;
-  /// Sampling rate [Hz]; empty: what the file says, else from time_column,
-  /// which then holds seconds, or what its header says.
-  std::optional<double> sample_rate_hz;
-  /// Variable of a file of arrays that holds the rate [Hz].
-  std::optional<std::string> rate_variable;
-  /// Empty: the first column of a CSV; what the other kinds say.
-  std::optional<std::string> time_column;
-  CsvOptions csv;
-  std::string title;
-  std::optional<std::filesystem::path> deck;
-  std::optional<std::array<double, 2>> band_hz;
-  std::optional<double> block_s;
-  std::filesystem::path folder;  ///< of the new bundle
-  /// Of the folder: its inputs, and whether other files may be replaced.
-  OutputRule rule = {};
-};
 
 /// Refuses what can be told before any file is read.
 /// @throws InputError for a file that is not there, a bundle that is
 void check_import(const ImportOptions& options);
-
-/// What to say of a file that tells no sampling rate.
-[[noreturn]] void refuse_without_rate(const std::filesystem::path& file);
 
 /// Writes the bundle, reads it back (so that it is checked like any other) and
 /// returns it, with a warning for each column that is zero throughout, each

@@ -5,6 +5,7 @@
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/import/channel_points.hpp"
 #include "acquisition/import/hammer_channel.hpp"
+#include "acquisition/import/import_tables.hpp"
 #include "acquisition/import/read_time_records.hpp"
 #include "acquisition/import/read_time_table.hpp"
 
@@ -57,6 +58,7 @@ class Proposal {
   }
 
   ImportProposal make() {
+    propose_runs();
     if (result_.options.hammer.column.empty()) propose_hammer();
     if (result_.options.sensors.empty()) propose_sensors();
     place_channels();
@@ -70,6 +72,34 @@ class Proposal {
               const std::string& option,
               const std::string& field = "") {
     result_.assumptions.push_back({what, option, field});
+  }
+
+  // Where channels are named, the user has chosen.
+  void propose_runs() {
+    const ImportOptions& options = result_.options;
+    if (!options.hammer.column.empty() && !options.sensors.empty()) return;
+    const TimeRecord& record = file_.records[0];
+    if (!file_.doubt.empty()) {
+      throw InputError(
+          file_.doubt,
+          file_.file.string(),
+          "name hammer and sensors of one recording with --hammer "
+          "COLUMN@POINT and --sensor COLUMN@POINT, COLUMN such as " +
+              record.column);
+    }
+    if (file_.run_names.empty()) return;
+    std::vector<std::string> runs;
+    for (std::size_t k = 0; k < file_.run_names.size(); ++k) {
+      runs.push_back(fmt::format("\"{}\" ({} samples)",
+                                 file_.run_names[k],
+                                 records_of(file_, k).at(0).values.size()));
+    }
+    assume(fmt::format("channels of the same names are recorded again: taken "
+                       "as {} runs, {}",
+                       runs.size(),
+                       fmt::join(runs, ", ")),
+           fmt::format("COLUMN in full, such as {}, for one run alone",
+                       record.column));
   }
 
   void propose_hammer() {
@@ -146,9 +176,12 @@ class Proposal {
     for (const TimeRecord& record : file_.records) {
       names.push_back(fmt::format("\"{}\"", record.name));
     }
-    throw InputError(
+    std::string holds =
         fmt::format("holds no hammer with sensors beside it, but {}",
-                    fmt::join(names, ", ")),
+                    fmt::join(names, ", "));
+    for (const std::string& what : file_.left_out) holds += "; " + what;
+    throw InputError(
+        holds,
         file_.file.string(),
         "say which is which with --hammer COLUMN@POINT and --sensor "
         "COLUMN@POINT");
@@ -159,7 +192,7 @@ class Proposal {
                            Quantity quantity,
                            std::size_t place) {
     ImportChannel channel;
-    channel.column = record.column;
+    channel.column = file_.run_names.empty() ? record.column : record.name;
     channel.channel = record.name;
     channel.quantity = quantity;
     channel.recorded_volts_per_unit = record.volts_per_unit;

@@ -143,11 +143,43 @@ bool says_rate(const std::filesystem::path& file) {
   return is_sep005(file) || is_uff(file);
 }
 
+std::vector<std::size_t> runs_named(const InstrumentFile& file,
+                                    const std::vector<std::string>& columns) {
+  std::optional<std::size_t> alone;
+  std::string first;
+  bool by_channel = false;
+  for (const std::string& column : columns) {
+    by_channel = by_channel || find_record(file.records, column) != nullptr;
+    for (std::size_t run = 0; run <= file.later_runs.size(); ++run) {
+      const auto& records = records_of(file, run);
+      if (std::ranges::count(records, column, &TimeRecord::column) == 0) {
+        continue;
+      }
+      if (alone && *alone != run) {
+        throw InputError(
+            fmt::format(
+                "\"{}\" and \"{}\" are of different runs", first, column),
+            file.file.string(),
+            "name channels of one recording");
+      }
+      alone = run;
+      first = column;
+    }
+  }
+  if (alone) return {*alone};
+  std::vector<std::size_t> runs{0};
+  for (std::size_t k = 1; k <= file.later_runs.size() && by_channel; ++k) {
+    runs.push_back(k);
+  }
+  return runs;
+}
+
 TimeTable table_of(const InstrumentFile& file,
-                   const std::vector<std::string>& columns) {
+                   const std::vector<std::string>& columns,
+                   std::size_t run) {
   TimeTable table;
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const TimeRecord record = take_record(file, columns[k]);
+    const TimeRecord record = take_record(file, columns[k], run);
     if (k == 0) {
       table.values.resize(record.values.size(),
                           static_cast<Index>(columns.size()));

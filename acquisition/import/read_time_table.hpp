@@ -31,11 +31,18 @@ namespace tapfit::acquisition {
 /// file).
 [[nodiscard]] bool says_rate(const std::filesystem::path& file);
 
-/// Channels of a file that was read already.
+/// Which runs of a file columns name, from 0 on: all by a channel's name or
+/// number, one alone by the whole name of an array ("run2/acc").
+/// @throws InputError for arrays of different runs
+[[nodiscard]] std::vector<std::size_t> runs_named(
+    const InstrumentFile& file, const std::vector<std::string>& columns);
+
+/// Channels of one run of a file that was read already.
 /// @throws InputError for what is not there, no number, or of differing length
 ///   or rate
 [[nodiscard]] TimeTable table_of(const InstrumentFile& file,
-                                 const std::vector<std::string>& columns);
+                                 const std::vector<std::string>& columns,
+                                 std::size_t run = 0);
 
 /// Millivolts are made volts; milliseconds and the like seconds, which is
 /// noted.

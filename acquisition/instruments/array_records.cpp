@@ -38,12 +38,10 @@ bool may_be_record(const Arrays& all, const NamedArray& array) {
          is == UsualName::Units;
 }
 
-// Of all arrays but those that rise evenly.
 Index longest(const Arrays& all) {
   Index samples = 0;
   for (const NamedArray& array : all) {
-    if (!may_be_record(all, array) || array.samples() <= samples) continue;
-    if (array.columns() == 1 && is_axis(array.column(0))) continue;
+    if (array.samples() <= samples || !is_record_array(all, array)) continue;
     samples = array.samples();
   }
   return samples;
@@ -216,6 +214,11 @@ void finish(std::vector<TimeRecord>& records) {
 }
 
 }  // namespace
+
+bool is_record_array(const Arrays& all, const NamedArray& array) {
+  return may_be_record(all, array) &&
+         !(array.columns() == 1 && is_axis(array.column(0)));
+}
 
 std::vector<TimeRecord> records_of_arrays(const Arrays& all) {
   std::vector<TimeRecord> records;

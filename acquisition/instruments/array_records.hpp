@@ -18,10 +18,15 @@
 
 namespace tapfit::acquisition {
 
-/// Names are different from each other. Millivolts are made volts.
+/// Those of one recording. Names are different from each other. Millivolts are
+/// made volts.
 ///
 /// @return empty where there are none
 [[nodiscard]] std::vector<TimeRecord> records_of_arrays(
     const std::vector<NamedArray>& all);
+
+/// Whether an array of other arrays may be a record, by its name and values.
+[[nodiscard]] bool is_record_array(const std::vector<NamedArray>& all,
+                                   const NamedArray& array);
 
 }  // namespace tapfit::acquisition

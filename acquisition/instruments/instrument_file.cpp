@@ -2,7 +2,7 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "acquisition/foundation/input_file.hpp"
-#include "acquisition/instruments/array_records.hpp"
+#include "acquisition/instruments/file_runs.hpp"
 #include "acquisition/instruments/hdf5_file.hpp"
 #include "acquisition/instruments/known_layouts.hpp"
 #include "acquisition/instruments/numpy_file.hpp"
@@ -74,6 +74,18 @@ void check_finite(const TimeRecord& record, const std::filesystem::path& file) {
   }
 }
 
+// "run2/time" for "time", where there is one.
+std::string name_in_run(const InstrumentFile& file,
+                        const std::string& column,
+                        std::size_t run) {
+  if (run >= file.run_names.size()) return column;
+  for (const char separator : {'/', '.'}) {
+    std::string name = file.run_names[run] + separator + column;
+    if (find_array(file.arrays, name) != nullptr) return name;
+  }
+  return column;
+}
+
 }  // namespace
 
 bool is_instrument_file(const std::filesystem::path& file) {
@@ -85,7 +97,14 @@ InstrumentFile read_instrument_file(const std::filesystem::path& file,
   progress("reading", 0.0);
   InstrumentFile result{file, reader_of(file)(file, progress), {}, 0, {}};
   progress("reading", 0.5);
-  result.records = records_of_arrays(result.arrays);
+  FileRuns read = runs_of_arrays(result.arrays);
+  result.records = std::move(read.runs[0].records);
+  for (std::size_t k = 0; k < read.runs.size() && read.runs.size() > 1; ++k) {
+    result.run_names.push_back(std::move(read.runs[k].name));
+    if (k > 0) result.later_runs.push_back(std::move(read.runs[k].records));
+  }
+  result.left_out = std::move(read.left_out);
+  result.doubt = std::move(read.doubt);
   result.frame = rattlesnake_frame(result.arrays);
   return result;
 }
@@ -102,16 +121,24 @@ const TimeRecord* find_record(const std::vector<TimeRecord>& records,
   return nullptr;
 }
 
-TimeRecord take_record(const InstrumentFile& file, const std::string& column) {
-  if (const TimeRecord* record = find_record(file.records, column)) {
-    check_finite(*record, file.file);
-    return *record;
+const std::vector<TimeRecord>& records_of(const InstrumentFile& file,
+                                          std::size_t run) {
+  return run == 0 ? file.records : file.later_runs.at(run - 1);
+}
+
+TimeRecord take_record(const InstrumentFile& file,
+                       const std::string& column,
+                       std::size_t run) {
+  if (const TimeRecord* found = find_record(records_of(file, run), column)) {
+    check_finite(*found, file.file);
+    return *found;
   }
   TimeRecord record;
-  record.column = column;
   record.name = column;
-  record.values = samples_of(file.arrays, column, file.file);
-  const auto sampling = sampling_of(file.arrays, column, record.values.size());
+  record.column = name_in_run(file, column, run);
+  record.values = samples_of(file.arrays, record.column, file.file);
+  const auto sampling =
+      sampling_of(file.arrays, record.column, record.values.size());
   if (sampling) {
     record.rate_hz = sampling->hz;
     record.rate_spread = sampling->spread;

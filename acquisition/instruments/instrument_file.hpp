@@ -15,11 +15,21 @@ namespace tapfit::acquisition {
 struct InstrumentFile {
   std::filesystem::path file;
   std::vector<NamedArray> arrays;
-  std::vector<TimeRecord> records;  ///< of these, as array_records.hpp says
+  /// Of these, as array_records.hpp says; of several runs those of the first.
+  std::vector<TimeRecord> records;
   /// Of frames that stand end to end, each with one hit [samples]; 0: of none.
   Eigen::Index frame = 0;
   std::string time_column = {};  ///< the column that gave the rate, if one did
+  /// Runs behind the first, with its channels in its order (file_runs.hpp).
+  std::vector<std::vector<TimeRecord>> later_runs = {};
+  std::vector<std::string> run_names = {};  ///< of several runs, of all of them
+  std::vector<std::string> left_out = {};   ///< records in no run, and why
+  std::string doubt = {};  ///< why one run or several cannot be told
 };
+
+/// @param run from 0 on
+[[nodiscard]] const std::vector<TimeRecord>& records_of(
+    const InstrumentFile& file, std::size_t run);
 
 /// Whether the file is of such a kind.
 [[nodiscard]] bool is_instrument_file(const std::filesystem::path& file);
@@ -33,10 +43,12 @@ struct InstrumentFile {
 [[nodiscard]] const TimeRecord* find_record(
     const std::vector<TimeRecord>& records, const std::string& column);
 
-/// A record as find_record() finds it, else the samples of any array
-/// (named_array.hpp).
+/// A record of a run as find_record() finds it, else the samples of any array
+/// (named_array.hpp), also by its name within the run's group.
+/// @param run from 0 on
 /// @throws InputError for what is not there, no number or not finite
 [[nodiscard]] TimeRecord take_record(const InstrumentFile& file,
-                                     const std::string& column);
+                                     const std::string& column,
+                                     std::size_t run = 0);
 
 }  // namespace tapfit::acquisition
