@@ -6,6 +6,7 @@
 #include "modal/mode_set/uff55.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -241,6 +242,42 @@ TEST(ReadModesJson, NamesTheNumberThatIsNone) {
   EXPECT_TRUE(has(text, "\"8.2\" is no number")) << text;
   EXPECT_TRUE(has(fault(R"({"modes": [{}]})"), "it is missing"));
   EXPECT_TRUE(has(fault(R"({"frequencies": [8.2]})"), "no list of modes"));
+}
+
+// Python writes NaN, others null, where a value is not known.
+TEST(ReadModesJson, NamesThePointWithoutANumber) {
+  for (const char* value :
+       {"NaN", "-Infinity", "null", "\"0.3\"", "[1, null]"}) {
+    const std::string text = said([value] {
+      (void)read_modes_json(fmt::format(R"({{"note": "NaN \" NaN", "modes": [
+            {{"frequency_hz": 3.0, "shape": {{"12Z+": 0.3}}}},
+            {{"frequency_hz": 5.0, "shape": {{"12Z+": {}}}}}]}})",
+                                        value),
+                            "modes.json");
+    });
+    EXPECT_TRUE(has(text, "modes.json: modes[1].shape.12Z+")) << text;
+    EXPECT_TRUE(has(text, "leave the point out")) << text;
+    EXPECT_FALSE(has(text, "json.exception")) << text;
+  }
+  const auto fault = [](const std::string& entry) {
+    return said([&] {
+      (void)read_modes_json("{\"modes\": [{" + entry + "}]}", "modes.json");
+    });
+  };
+  EXPECT_TRUE(has(fault(R"("frequency_hz": NaN)"), "modes[0].frequency_hz"));
+  EXPECT_TRUE(
+      has(fault(R"("frequency_hz": 3, "shape": 0.3)"), "no object of points"));
+  EXPECT_TRUE(has(
+      fault(
+          R"("frequency_hz": 3, "shape": {"1Z+": 1}, "shape_sd": {"1Z+": NaN})"),
+      "modes[0].shape_sd.1Z+"));
+  // A damping that is not known is none.
+  EXPECT_EQ(
+      read_modes_json(
+          R"({"modes": [{"frequency_hz": 3, "damping_ratio": NaN}]})", "m")
+          .modes.at(0)
+          .damping_ratio,
+      0.0);
 }
 
 }  // namespace
