@@ -221,6 +221,19 @@ void add_run(const Group& group, TestBundle& bundle) {
 
 void refuse_empty(const TestBundle& bundle, const UffFile& file) {
   if (!bundle.runs.empty() || bundle.frfs) return;
+  const bool modes = std::ranges::any_of(file.datasets, [](const auto& d) {
+    return d.type == 55 || d.type == 2414;
+  });
+  if (modes) {
+    throw InputError(
+        "the universal file holds results at nodes, such as modes, and no "
+        "records",
+        file.name,
+        fmt::format("write {{\"tapfit\": 1, \"modes\": \"{}\"}} as test.json "
+                    "beside it, with \"model\" where there is a deck, and open "
+                    "its folder",
+                    bundle.file.filename().string()));
+  }
   std::string what =
       "the universal file holds neither a force record with motions beside it "
       "nor an FRF";

@@ -212,5 +212,16 @@ TEST_F(UffBundle, OthersFilesAreRefusedWithAReason) {
   }
 }
 
+// A file of modes is told what makes a test of it.
+TEST_F(UffBundle, ModesAloneBelongToATest) {
+  const std::string text = refusal("    -1\n    55\nmodes\n    -1\n");
+  EXPECT_NE(text.find("holds results at nodes, such as modes"),
+            std::string::npos)
+      << text;
+  EXPECT_NE(text.find(R"({"tapfit": 1, "modes": "bad.uff"} as test.json)"),
+            std::string::npos)
+      << text;
+}
+
 }  // namespace
 }  // namespace tapfit::acquisition
