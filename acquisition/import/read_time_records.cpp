@@ -7,6 +7,7 @@
 #include "acquisition/instruments/point_names.hpp"
 #include "acquisition/instruments/sampling.hpp"
 #include "acquisition/instruments/usual_names.hpp"
+#include "acquisition/readers/time_units.hpp"
 #include "acquisition/samples/rate_of_times.hpp"
 #include "acquisition/uff/uff_function.hpp"
 
@@ -60,7 +61,8 @@ std::vector<TimeRecord> list_channels(const std::filesystem::path& file,
 }
 
 bool is_times(const TimeRecord& record) {
-  return usual_name(record.name) == UsualName::Time || is_axis(record.values);
+  return usual_name(record.name) == UsualName::Time ||
+         seconds_in(record.unit) || is_axis(record.values);
 }
 
 // A column of times is none of the channels and tells their rate.

@@ -4,6 +4,7 @@
 #include "acquisition/foundation/input_file.hpp"
 #include "acquisition/foundation/units.hpp"
 #include "acquisition/foundation/utf8.hpp"
+#include "acquisition/readers/clock_times.hpp"
 #include "acquisition/readers/time_units.hpp"
 
 #include <fmt/format.h>
@@ -137,10 +138,12 @@ bool is_data(const Text& text, std::size_t line) {
   const std::vector<std::string> fields =
       split(text.lines[line], text.layout.separator);
   const std::size_t count = std::min<std::size_t>(2, fields.size());
-  return std::all_of(
-      fields.begin(),
-      fields.begin() + static_cast<std::ptrdiff_t>(count),
-      [&](const std::string& f) { return to_number(f, text.layout); });
+  return std::all_of(fields.begin(),
+                     fields.begin() + static_cast<std::ptrdiff_t>(count),
+                     [&](const std::string& f) {
+                       return to_number(f, text.layout) || seconds_of_day(f) ||
+                              is_date(f);
+                     });
 }
 
 std::size_t first_data_line(const Text& text, const CsvOptions& options) {
@@ -207,6 +210,9 @@ CsvColumn describe_column(const Text& text, std::size_t data, std::size_t k) {
     }
   }
   take_unit_off(column);
+  const std::vector<std::string> row =
+      split(text.lines[data], text.layout.separator);
+  if (k < row.size() && seconds_of_day(row[k])) column.unit = "s";
   return column;
 }
 
@@ -250,7 +256,9 @@ std::vector<CsvColumn> list_csv_columns(const std::filesystem::path& file,
       split(text.lines[data], text.layout.separator);
   std::vector<CsvColumn> columns;
   for (std::size_t k = 0; k < fields.size(); ++k) {
-    if (!to_number(fields[k], text.layout)) continue;
+    if (!to_number(fields[k], text.layout) && !seconds_of_day(fields[k])) {
+      continue;
+    }
     columns.push_back(describe_column(text, data, k));
   }
   return columns;
@@ -270,6 +278,7 @@ CsvTable read_csv_table(const std::filesystem::path& file,
     const std::string unit = describe_column(text, data, at).unit;
     table.units.push_back(is_unit(unit) ? unit : "");
   }
+  std::vector<ClockColumn> clocks(columns.size());
   Eigen::MatrixXd& values = table.values;
   values.resize(static_cast<Eigen::Index>(text.lines.size() - data),
                 static_cast<Eigen::Index>(columns.size()));
@@ -280,7 +289,8 @@ CsvTable read_csv_table(const std::filesystem::path& file,
     for (std::size_t k = 0; k < positions.size(); ++k) {
       const std::size_t at = positions[k];
       const std::string field = at < fields.size() ? fields[at] : "";
-      const std::optional<double> value = to_number(field, text.layout);
+      std::optional<double> value = to_number(field, text.layout);
+      if (!value) value = clocks[k].next(field);
       if (!value || !std::isfinite(*value)) {
         throw InputError(fmt::format("\"{}\" is no finite number", field),
                          fmt::format("{}:{}:{}", text.name, i + 1, at + 1),

@@ -21,10 +21,11 @@ struct CsvOptions {
 struct CsvColumn {
   std::string number;  ///< from 1 on
   std::string name;    ///< empty: no line has one
-  std::string unit;    ///< in a line of units, or behind the name: "a [g]"
+  /// In a line of units, or behind the name: "a [g]"; s of times of day.
+  std::string unit;
 };
 
-/// The columns whose field in the first row is a number.
+/// The columns whose field in the first row is a number or a time of day.
 /// @throws InputError for a file without numbers
 [[nodiscard]] std::vector<CsvColumn> list_csv_columns(
     const std::filesystem::path& file, const CsvOptions& options);
@@ -39,7 +40,9 @@ struct CsvTable {
 /// Separators are ; tab or , (found from the file); with ; or tab a comma may
 /// be the decimal mark. Lines may end in CRLF, fields may be quoted, empty
 /// lines at the end do not matter. Without skip_lines the numbers begin with
-/// the first of two lines in a row whose first two fields are numbers.
+/// the first of two lines in a row whose first two fields are numbers, times of
+/// day or dates. Times of day (clock_times.hpp) become seconds from the first
+/// on.
 ///
 /// @param columns each a name found in a header line, with or without the unit
 ///   behind it, in UTF-8 also where the file is in Latin-1, or a number from 1

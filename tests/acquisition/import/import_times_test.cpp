@@ -1,6 +1,9 @@
 // Times of an import in other units than seconds.
+#include "acquisition/bundle/recording.hpp"
 #include "acquisition/bundle/run_reader.hpp"
+#include "acquisition/foundation/input_error.hpp"
 #include "acquisition/import/import_recordings.hpp"
+#include "acquisition/import/propose_import.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 
 #include <fmt/format.h>
@@ -53,6 +56,69 @@ TEST(ImportTimes, TimesAreInWhatTheirHeaderSays) {
               std::string::npos)
         << bundle.warnings[0];
   }
+}
+
+// "12:00:00.003" of the k-th sample at 1000 Hz, from just before a midnight on.
+std::string clock_of(int k) {
+  const int ms = (86'400'000 - 20 + k) % 86'400'000;
+  return fmt::format("{:02}:{:02}:{:02}.{:03}",
+                     ms / 3'600'000,
+                     ms / 60'000 % 60,
+                     ms / 1000 % 60,
+                     ms % 1000);
+}
+
+TEST(ImportTimes, TimesOfDayAreTimes) {
+  testing::TemporaryFolder folder;
+  int number = 0;
+  for (const char* form : {"{},",
+                           "2024-01-31T{},",
+                           "2024-01-31T{}Z,",
+                           "2024-01-31T{}+01:00,",
+                           "31.01.2024 {},",
+                           "1/31/24,{},"}) {
+    std::string text =
+        form[0] == '1' ? "Date,Time,Force,Acc\n" : "Stamp,Force,Acc\n";
+    for (int k = 0; k < 40; ++k) {
+      text += fmt::format(fmt::runtime(form), clock_of(k)) +
+              fmt::format("{},{}\n", k == 5 ? 9 : 0, k % 5 - 2);
+    }
+    ImportOptions options;
+    options.files = {{folder.write("a.csv", text), {}}};
+    options.folder = folder.path() / std::to_string(++number);
+    const ImportProposal proposal = propose_import(options);
+    EXPECT_EQ(proposal.options.hammer.channel, "Force") << form;
+    ASSERT_EQ(proposal.options.sensors.size(), 1U) << form;
+    const Recording recording =
+        read_recordings(import_recordings(proposal.options)).at(0);
+    EXPECT_EQ(recording.sample_rate_hz, 1000.0) << form;
+    EXPECT_EQ(recording.samples(5, 0), 9.0);
+    // Left out where the rate is given, whatever it says.
+    options.sample_rate_hz = 512.0;
+    options.folder = folder.path() / std::to_string(++number);
+    EXPECT_EQ(
+        read_recordings(import_recordings(propose_import(options).options))
+            .at(0)
+            .sample_rate_hz,
+        512.0);
+  }
+}
+
+TEST(ImportTimes, WholeSecondsOfTheDayGiveNoRateAndAreNoChannel) {
+  testing::TemporaryFolder folder;
+  std::string text = "Time,Force,Acc\n";
+  for (int k = 0; k < 40; ++k) {
+    text +=
+        fmt::format("12:00:{:02},{},{}\n", k / 10, k == 5 ? 9 : 0, k % 5 - 2);
+  }
+  ImportOptions options;
+  options.files = {{folder.write("a.csv", text), {}}};
+  options.folder = folder.path() / "bundle";
+  EXPECT_THROW((void)import_recordings(propose_import(options).options),
+               InputError);
+  options.sample_rate_hz = 512.0;
+  const TestBundle bundle = import_recordings(propose_import(options).options);
+  EXPECT_EQ(bundle.channels.size(), 2U);
 }
 
 }  // namespace
