@@ -65,9 +65,17 @@ std::optional<double> to_number(std::string field, const Layout& layout) {
   return value;
 }
 
+bool is_comment(const std::string& line) {
+  const std::string text = trim(line);
+  return text.empty() || text[0] == '#' || text[0] == '%' ||
+         text.starts_with("//");
+}
+
 // Judged by a line in the middle of the file, which is surely data.
 Layout find_layout(const std::vector<std::string>& lines) {
-  const std::string& line = lines[lines.size() / 2];
+  std::size_t at = lines.size() / 2;
+  while (at + 1 < lines.size() && is_comment(lines[at])) ++at;
+  const std::string& line = lines[at];
   const bool comma = line.find(',') != std::string::npos;
   const bool point = line.find('.') != std::string::npos;
   for (const char separator : {';', '\t'}) {
@@ -149,9 +157,10 @@ bool is_data(const Text& text, std::size_t line) {
 std::size_t first_data_line(const Text& text, const CsvOptions& options) {
   if (options.skip_lines) {
     if (*options.skip_lines < text.lines.size()) return *options.skip_lines;
-    throw InputError(fmt::format("has only {} lines", text.lines.size()),
-                     text.name,
-                     "skip fewer lines");
+    throw InputError(
+        fmt::format("ends with line {}, before any row", text.lines.size()),
+        text.name,
+        "skip fewer lines");
   }
   for (std::size_t i = 0; i < text.lines.size(); ++i) {
     const bool last = i + 1 == text.lines.size();
@@ -309,9 +318,31 @@ Eigen::MatrixXd read_csv_columns(const std::filesystem::path& file,
   return read_csv_table(file, columns, options).values;
 }
 
-std::vector<std::string> read_csv_header(const std::filesystem::path& file) {
+CsvHeader read_csv_header(const std::filesystem::path& file) {
   const Text text = read_lines(file);
-  return split(as_utf8(text.lines.front()), text.layout.separator);
+  const auto fields_of = [&](std::size_t line) {
+    return split(as_utf8(text.lines[line]), text.layout.separator);
+  };
+  std::size_t at = 0;
+  while (at + 1 < text.lines.size() && is_comment(text.lines[at])) ++at;
+  CsvHeader header{at + 1, fields_of(at), {}, at + 1, 0};
+  const std::size_t below = at + 1;
+  if (below < text.lines.size() && !is_comment(text.lines[below])) {
+    std::vector<std::string> fields = fields_of(below);
+    const bool none = std::ranges::none_of(fields, [&](const std::string& f) {
+      return to_number(f, text.layout).has_value();
+    });
+    if (none) {
+      header.units = std::move(fields);
+      ++header.rows_from;
+    }
+  }
+  while (header.rows_from < text.lines.size() &&
+         is_comment(text.lines[header.rows_from])) {
+    ++header.rows_from;
+  }
+  header.rows = text.lines.size() - header.rows_from;
+  return header;
 }
 
 }  // namespace tapfit::acquisition

@@ -60,9 +60,18 @@ struct CsvTable {
     const std::vector<std::string>& columns,
     const CsvOptions& options);
 
-/// The fields of a CSV file's first line, in UTF-8.
+/// Names of columns, and where they and the rows below them are.
+struct CsvHeader {
+  std::size_t line = 1;  ///< from 1 on
+  std::vector<std::string> names;
+  std::vector<std::string> units;  ///< of a line of units below; or empty
+  std::size_t rows_from = 0;       ///< lines before the first row
+  std::size_t rows = 0;            ///< lines from there on
+};
+
+/// The first line that is neither empty nor a comment (#, %, //), in UTF-8. A
+/// line below it without any number is one of units.
 /// @throws InputError for a file that cannot be opened or is empty
-[[nodiscard]] std::vector<std::string> read_csv_header(
-    const std::filesystem::path& file);
+[[nodiscard]] CsvHeader read_csv_header(const std::filesystem::path& file);
 
 }  // namespace tapfit::acquisition

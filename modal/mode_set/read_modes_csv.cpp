@@ -16,6 +16,7 @@
 namespace tapfit::modal {
 namespace {
 
+using acquisition::CsvHeader;
 using Eigen::Index;
 
 /// A column, and the sign of the direction that it names.
@@ -30,6 +31,12 @@ struct PointColumns {
   std::optional<PointColumn> imaginary;
   std::optional<PointColumn> sd;
 };
+
+/// Where the names of columns stand, for messages.
+std::string header_place(const CsvHeader& header,
+                         const std::filesystem::path& file) {
+  return fmt::format("{}:{}", file.string(), header.line);
+}
 
 struct Columns {
   std::vector<std::string> names;  ///< of those that are read
@@ -52,11 +59,11 @@ std::optional<std::pair<Dof, std::string>> point_column(
 }
 
 [[noreturn]] void refuse_second(const std::string& column,
-                                const std::string& file) {
+                                const std::string& place) {
   throw InputError(
       fmt::format("the column \"{}\" says again what one before it says",
                   column),
-      file + ":1",
+      place,
       "leave one of the two out");
 }
 
@@ -84,8 +91,19 @@ std::string usual_column(const std::string& name) {
   return found == usual.end() ? name : found->second;
 }
 
-Columns columns_of(const std::vector<std::string>& header,
-                   const std::string& file) {
+/// A name with the unit of a line below it: "Damping" and "%" to
+/// "damping_percent". A ratio has none, and names that say their unit need no
+/// second one.
+std::string own_column(const std::string& name, std::string unit) {
+  if (unit == "-" || unit == "1") unit = "ratio";
+  const std::string own = usual_column(name);
+  const bool repeated = (unit == "Hz" && own.ends_with("_hz")) ||
+                        (unit == "%" && own.ends_with("_percent")) ||
+                        (unit == "ratio" && own == "damping_ratio");
+  return unit.empty() || repeated ? own : usual_column(name + " " + unit);
+}
+
+Columns columns_of(const CsvHeader& header, const std::string& place) {
   static const std::vector<std::string> known{"frequency_hz",
                                               "frequency_sd_hz",
                                               "frequency_sd_percent",
@@ -94,11 +112,13 @@ Columns columns_of(const std::vector<std::string>& header,
                                               "damping_sd",
                                               "damping_sd_percent"};
   Columns columns;
-  for (const std::string& name : header) {
+  for (std::size_t k = 0; k < header.names.size(); ++k) {
+    const std::string& name = header.names[k];
     const auto at = static_cast<Index>(columns.names.size());
-    const std::string own = usual_column(name);
+    const std::string own =
+        own_column(name, k < header.units.size() ? header.units[k] : "");
     if (std::ranges::count(known, own) > 0) {
-      if (!columns.own.emplace(own, at).second) refuse_second(name, file);
+      if (!columns.own.emplace(own, at).second) refuse_second(name, place);
     } else if (auto point = point_column(name)) {
       auto& [dof, part] = *point;
       const double sign = dof.sign;
@@ -107,7 +127,7 @@ Columns columns_of(const std::vector<std::string>& header,
       std::optional<PointColumn>& column = part == "im"   ? of.imaginary
                                            : part == "sd" ? of.sd
                                                           : of.real;
-      if (column) refuse_second(name, file);
+      if (column) refuse_second(name, place);
       column = {at, sign};
     } else {
       columns.unread.push_back(name);
@@ -118,19 +138,19 @@ Columns columns_of(const std::vector<std::string>& header,
   return columns;
 }
 
-void check(const Columns& columns, const std::string& file) {
+void check(const Columns& columns, const std::string& place) {
   if (!columns.own.contains("frequency_hz")) {
     throw InputError(
         "there is no column \"frequency_hz\"",
-        file + ":1",
-        "name the columns in the first line: frequency_hz, damping_ratio, and "
-        "points such as 12Z+");
+        place,
+        "name the columns in the first line: frequency_hz (in Hz), "
+        "damping_ratio, and points such as 12Z+");
   }
   for (const auto& [dof, of] : columns.points) {
     if (of.real) continue;
     throw InputError(
         fmt::format("there is no column of values for the point {}", name(dof)),
-        file + ":1",
+        place,
         fmt::format("name it \"{}\", or \"{} re\" beside \"{} im\"",
                     name(dof),
                     name(dof),
@@ -191,11 +211,17 @@ class Line {
 }  // namespace
 
 ModeSet read_modes_csv(const std::filesystem::path& file) {
-  const Columns columns =
-      columns_of(acquisition::read_csv_header(file), file.string());
-  check(columns, file.string());
+  const CsvHeader header = acquisition::read_csv_header(file);
+  const std::string place = header_place(header, file);
+  const Columns columns = columns_of(header, place);
+  check(columns, place);
+  if (header.rows == 0) {
+    throw InputError("there is no mode below the names of columns",
+                     place,
+                     "write a line of numbers for each mode");
+  }
   acquisition::CsvOptions options;
-  options.skip_lines = 1;
+  options.skip_lines = header.rows_from;
   const Eigen::MatrixXd table =
       acquisition::read_csv_columns(file, columns.names, options);
   ModeSet set;

@@ -84,6 +84,44 @@ TEST(ReadModesCsv, WantsFrequenciesAndWholeShapes) {
   EXPECT_FALSE(said([&] { (void)read_modes_csv(empty); }).empty());
 }
 
+TEST(ReadModesCsv, CommentsAndALineOfUnitsAreRead) {
+  const TemporaryFolder folder;
+  const auto read = [&](const std::string& text) {
+    return read_modes_csv(folder.write("modes.csv", text));
+  };
+  for (const char* text : {"# published, 2024\n\nfrequency_hz\n3.09\n5.45\n",
+                           "frequency_hz\nHz\n3.09\n5.45\n",
+                           "% by hand\nFrequency;Damping\nHz;%\n"
+                           "# bending\n3,09;0,5\n5,45;0,5\n"}) {
+    const ModeSet set = read(text);
+    ASSERT_EQ(set.modes.size(), 2U) << text;
+    EXPECT_DOUBLE_EQ(set.modes[1].frequency_hz, 5.45) << text;
+  }
+  const ModeSet units =
+      read("Frequency,Damping,12Z+\nHz,%,m/s^2\n3.09,0.5,0.3\n");
+  EXPECT_DOUBLE_EQ(units.modes.at(0).damping_ratio, 0.005);
+  EXPECT_DOUBLE_EQ(units.modes[0].shape(0).real(), 0.3);
+  EXPECT_TRUE(units.warnings.empty());
+  EXPECT_DOUBLE_EQ(
+      read("Frequency,Damping\nHz,-\n3.09,0.005\n").modes.at(0).damping_ratio,
+      0.005);
+  // Another unit is none that a number is taken in.
+  const std::string text = said([&] { (void)read("frequency_hz\nkHz\n3\n"); });
+  EXPECT_TRUE(has(text, "no column \"frequency_hz\"")) << text;
+  const std::string late = said([&] { (void)read("# a\n# b\nf,1Z+\n3,1\n"); });
+  EXPECT_TRUE(has(late, "modes.csv:3")) << late;
+}
+
+TEST(ReadModesCsv, AHeaderAloneHoldsNoMode) {
+  const TemporaryFolder folder;
+  for (const char* text : {"frequency_hz\n", "# a\nfrequency_hz\nHz\n"}) {
+    const auto file = folder.write("modes.csv", text);
+    const std::string refused = said([&] { (void)read_modes_csv(file); });
+    EXPECT_TRUE(has(refused, "no mode below the names")) << refused;
+    EXPECT_TRUE(has(refused, "a line of numbers for each mode")) << refused;
+  }
+}
+
 TEST(ReadModesCsv, ADirectionsSignIsEachColumnsOwn) {
   const TemporaryFolder folder;
   const auto file = folder.write("modes.csv",
