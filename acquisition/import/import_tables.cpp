@@ -52,16 +52,30 @@ RateOfTimes rate_of(const Eigen::VectorXd& time, const std::string& file) {
   return *rate;
 }
 
+// What to say of times that give a rate at which no hammer test is sampled.
+std::string other_unit(double rate) {
+  constexpr double slow = 20.0;
+  if (rate >= slow) return {};
+  return fmt::format(
+      "times in ms are {:.8g} Hz: name their column with the "
+      "unit, such as \"t [ms]\", or give --rate {:.8g}",
+      1e3 * rate,
+      1e3 * rate);
+}
+
 [[noreturn]] void refuse_rate(double rate,
                               bool from_times,
                               const std::string& file) {
+  std::string unit = other_unit(rate);
+  if (!unit.empty()) unit = "; " + unit;
   throw InputError(
       fmt::format("is sampled at {:.8g} Hz, which is no whole number: the "
                   "sound files of a bundle cannot say it",
                   rate),
       file,
       from_times ? "give the sampling rate if the times are rounded, or "
-                   "resample to a whole number of Hz"
+                   "resample to a whole number of Hz" +
+                       unit
                  : "resample to a whole number of Hz, or give the records as a "
                    "universal file (dataset 58, with their points): that keeps "
                    "the rate and is a bundle by itself");
@@ -84,6 +98,11 @@ int whole_rate(double rate,
   const double off = std::abs(rate - whole) / rate;
   const double allowed = spread ? std::max(1e-4, *spread) : exact;
   if (whole < 1.0 || off > allowed) refuse_rate(rate, spread.has_value(), file);
+  const std::string unit = spread ? other_unit(rate) : "";
+  if (!unit.empty()) {
+    notes.push_back(
+        fmt::format("{}: its times give {:.8g} Hz; {}", file, rate, unit));
+  }
   if (off > exact) {
     notes.push_back(
         fmt::format("{}: its times give {:.8g} Hz; {:.0f} Hz are taken, since "
@@ -190,7 +209,7 @@ void refuse_without_rate(const std::filesystem::path& file) {
       "a rate or a step",
       file.string(),
       "give it with --rate HZ or --rate VARIABLE, or name the "
-      "times with --time");
+      "times with --time; a column of times in ms says so: \"t [ms]\"");
 }
 
 std::vector<ImportTable> read_import_tables(const ImportOptions& options,

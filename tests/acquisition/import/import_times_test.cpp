@@ -121,5 +121,32 @@ TEST(ImportTimes, WholeSecondsOfTheDayGiveNoRateAndAreNoChannel) {
   EXPECT_EQ(bundle.channels.size(), 2U);
 }
 
+TEST(ImportTimes, MillisecondsWithoutAUnitAreSuspected) {
+  testing::TemporaryFolder folder;
+  const auto csv = [&](double step) {
+    std::string text = "t,f,a\n";
+    for (int i = 0; i < 9; ++i) {
+      text += fmt::format("{},{},{}\n", i * step, i % 7, i % 5);
+    }
+    return folder.write("a.csv", text);
+  };
+  ImportOptions options = options_for(folder.path() / "bundle");
+  options.files = {{csv(1.953125), {}}};
+  try {
+    (void)import_recordings(options);
+    FAIL() << "0.512 Hz were taken";
+  } catch (const InputError& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("times in ms are 512 Hz"), std::string::npos) << said;
+    EXPECT_NE(said.find("\"t [ms]\""), std::string::npos) << said;
+  }
+  options.files = {{csv(0.5), {}}};
+  const TestBundle bundle = import_recordings(options);
+  ASSERT_FALSE(bundle.warnings.empty());
+  EXPECT_NE(bundle.warnings[0].find("times in ms are 2000 Hz"),
+            std::string::npos)
+      << bundle.warnings[0];
+}
+
 }  // namespace
 }  // namespace tapfit::acquisition
