@@ -259,12 +259,33 @@ class Proposal {
       assumed.push_back(
           fmt::format("\"{}\" {}", channels[k]->channel, name(dof)));
     }
+    name_shared_points();
     if (assumed.empty()) return;
     assume(
         fmt::format("points are not in the file; taken are {}",
                     fmt::join(assumed, ", ")),
         "--hammer and --sensor COLUMN@POINT, FILE@POINT for each file's blows",
         "runs[].hammer and runs[].sensors[]: node, direction");
+  }
+
+  // Two columns of one name, or names that hold one point.
+  void name_shared_points() {
+    const std::vector<ImportChannel>& sensors = result_.options.sensors;
+    for (std::size_t k = 0; k < sensors.size(); ++k) {
+      for (std::size_t i = 0; i < k; ++i) {
+        if (sensors[i].dof.node != sensors[k].dof.node ||
+            sensors[i].dof.component != sensors[k].dof.component ||
+            sensors[i].quantity != sensors[k].quantity) {
+          continue;
+        }
+        assume(fmt::format("\"{}\" and \"{}\" are both at {}",
+                           sensors[i].channel,
+                           sensors[k].channel,
+                           name(sensors[k].dof)),
+               "--sensor COLUMN@POINT for each that is meant",
+               fmt::format("runs[].sensors[{}]: node, direction", k));
+      }
+    }
   }
 
   void propose_rate() {

@@ -3,6 +3,7 @@
 #include "acquisition/bundle/runs_alike.hpp"
 #include "acquisition/checks/blow_response.hpp"
 #include "acquisition/checks/force_channel.hpp"
+#include "acquisition/checks/one_point.hpp"
 #include "acquisition/checks/record_findings.hpp"
 #include "acquisition/checks/rejected_hits.hpp"
 #include "acquisition/checks/repeated_runs.hpp"
@@ -135,6 +136,7 @@ class Checker {
     }
     add(acquisition::repeated_run_findings(bundle, recordings));
     add(acquisition::repeated_channel_findings(bundle, recordings));
+    add(acquisition::one_point_findings(bundle, recordings));
     found_.records = channel_records(bundle, recordings, hits);
     add(record_findings(bundle, found_.records));
     add_exchanges(

@@ -267,6 +267,23 @@ TEST(HammerChannel, IsTheOneWithShortPulsesToOneSide) {
   EXPECT_NEAR(one_sidedness(single), 99.0 / 10.0, 1e-9);
 }
 
+TEST_F(ProposeImport, TwoColumnsAtOnePointAreNamed) {
+  std::string text = "t,Hammer [N],41Z+ [g],41Z+ [g],41X+ [g]\n";
+  const Eigen::VectorXd force = pulses();
+  const Eigen::VectorXd motion = ringing(0.9);
+  for (int k = 0; k < samples; ++k) {
+    text += fmt::format("{},{},{},{},{}\n",
+                        k / 1000.0,
+                        force[k],
+                        motion[k],
+                        -motion[k],
+                        motion[k]);
+  }
+  const ImportProposal proposal = propose(folder_.write("twice.csv", text));
+  EXPECT_TRUE(assumed(proposal, "\"41Z+\" and \"41Z+ 2\" are both at 41Z+"));
+  EXPECT_FALSE(assumed(proposal, "41X+"));
+}
+
 TEST(HammerChannel, OfSeveralForcesThePulsesTell) {
   TimeRecord shaker{.column = "1", .name = "shaker", .unit = "N"};
   shaker.values = ringing(0.9);
