@@ -1,5 +1,6 @@
 #include "updating/measurement/lay_over.hpp"
 
+#include "acquisition/foundation/finding.hpp"
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/places/rigid_fit.hpp"
 
@@ -19,6 +20,9 @@ using Eigen::Matrix3Xd;
 using Eigen::Vector3d;
 
 constexpr const char* in_test_json = "test.json: geometry";
+constexpr const char* check_the_unit =
+    "check the unit of the test's coordinates (dataset 164; of a table it "
+    "is the model's)";
 
 Vector3d place_of_pair(const NamedPair& pair,
                        std::size_t number,
@@ -54,8 +58,7 @@ void check_pairs(const RigidFit& fit,
                     fit.scale,
                     geometry.file.filename().string()),
         fmt::format("{}.pairs", in_test_json),
-        "check the unit of the test's coordinates (dataset 164; of a table it "
-        "is the model's), or the pairs");
+        std::string(check_the_unit) + ", or the pairs");
   }
   const Eigen::RowVectorXd off =
       (((fit.rotation * from).colwise() + fit.translation) - to)
@@ -92,6 +95,49 @@ structure::LaidOver by_pairs(const TestGeometry& geometry,
   return {fit.rotation, fit.translation, geometry.pairs.size(), fit.rms};
 }
 
+Matrix3Xd places_of(const structure::Deck& deck) {
+  Matrix3Xd grids(3, static_cast<Index>(deck.grids.size()));
+  for (Index k = 0; k < grids.cols(); ++k) {
+    grids.col(k) = deck.grids[static_cast<std::size_t>(k)].position;
+  }
+  return grids;
+}
+
+// The farthest of the points from their mean [m].
+double reach_of(const Matrix3Xd& points) {
+  const Vector3d mean = points.rowwise().mean();
+  return (points.colwise() - mean).colwise().norm().maxCoeff();
+}
+
+// Points that reach farther than the whole model lie on none of its places: no
+// two of the model's are more than twice its reach apart.
+void check_size(const Matrix3Xd& measured,
+                const TestGeometry& geometry,
+                const structure::Deck& deck) {
+  const double here = reach_of(measured);
+  const double there = reach_of(places_of(deck));
+  if (here <= 2.2 * there) return;
+  throw InputError(
+      fmt::format("the points of {} reach {:.3g} m to either side, the model "
+                  "{:.3g} m: about {} times as far",
+                  geometry.file.filename().string(),
+                  here,
+                  there,
+                  in_digits(here / there, 2)),
+      in_test_json,
+      check_the_unit);
+}
+
+// Of a mesh so small that it would lie anywhere.
+std::string smallness(double here, double there) {
+  if (10.0 * here > there) return {};
+  return fmt::format(
+      "; its points reach {:.2g} m to either side, the model {:.2g} m: check "
+      "the unit, too",
+      here,
+      there);
+}
+
 InputError open_fit(const std::string& why) {
   return {why,
           in_test_json,
@@ -121,6 +167,7 @@ structure::LaidOver by_best_fit(const TestGeometry& geometry,
         "the points that are measured lie on a line, which leaves the turn of "
         "the test's mesh about it open");
   }
+  check_size(measured, geometry, deck);
   const std::vector<RigidFit> ways = fit_to_mesh(measured, deck, surface);
   assert(!ways.empty());
   if (ways.size() > 1) {
@@ -128,7 +175,8 @@ structure::LaidOver by_best_fit(const TestGeometry& geometry,
         fmt::format("the test's mesh fits the model in {} ways, to {:.2g} m, "
                     "as symmetric structures do",
                     ways.size(),
-                    ways.back().rms));
+                    ways.back().rms) +
+        smallness(reach_of(measured), reach_of(places_of(deck))));
   }
   return {ways.front().rotation, ways.front().translation, 0, ways.front().rms};
 }
