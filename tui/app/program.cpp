@@ -90,12 +90,16 @@ void Program::start(Job job) {
   changed_ = true;
 }
 
+void Program::know(Snapshot now) {
+  for (const auto& one : pages_) one->follow(known_, now);
+  known_ = std::move(now);
+}
+
 void Program::finish(Finished finished) {
   running_ = false;
   if (message_is_to_wait_) tell("");
   const bool opened = !known_.bundle;
-  for (const auto& one : pages_) one->follow(known_, finished.snapshot);
-  known_ = std::move(finished.snapshot);
+  know(std::move(finished.snapshot));
   // Ready FRFs have no recordings to begin with, and modes no FRFs.
   if (opened && known_.bundle && known_.bundle->frfs) current_ = frf_screen;
   if (opened && known_.bundle && known_.bundle->modes) current_ = modes_screen;
@@ -144,7 +148,9 @@ bool Program::tick() {
     changed_ = true;
   }
   if (status.busy && status.tried && status.tried != known_.preliminary) {
-    known_.preliminary = status.tried;
+    Snapshot now = known_;
+    now.preliminary = status.tried;
+    know(std::move(now));
     changed_ = true;
   }
   shown_ = std::move(status);

@@ -110,6 +110,8 @@ class Program {
   /// A diagnosis that no screen waits for ends where one waits for something.
   void give_way_to_screens();
   void finish(Finished finished);
+  /// Takes over what is known now; the pages keep what is selected on them.
+  void know(Snapshot now);
   void start(Job job);
 
   void press_normal(Key key);

@@ -76,7 +76,7 @@ std::vector<Need> DiagnosePage::welcome(const Snapshot& known) const {
   std::vector<Need> needs{{Stage::Model}};
   const updating::Diagnosis& d = *known.diagnosis;
   if (state_.firmness) needs.push_back({Stage::Robustness});
-  if (d.candidates.empty()) return needs;
+  if (d.candidates.empty() || state_.list.nowhere) return needs;
   const Table table = candidate_table(d, {}, 80, true);
   const std::size_t at = settled(table, state_.list);
   const Candidate& c = d.candidates[at];
@@ -101,6 +101,7 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
                       standing_of(known),
                       known.deck.get(),
                       known.frfs.get()};
+  if (state_.list.nowhere && chosen_) input.missing = &*chosen_;
   const Table table = candidate_table(input.diagnosis, {}, 80, true);
   const auto found = known.candidate_evidence.find(
       static_cast<int>(settled(table, state_.list)));
@@ -110,23 +111,37 @@ Screen DiagnosePage::draw(const Snapshot& known, const Canvas& canvas) const {
   return diagnose_view(input, state_, canvas);
 }
 
-void DiagnosePage::follow(const Snapshot& before, const Snapshot& now) {
-  const updating::Diagnosis* old = found(before);
-  const updating::Diagnosis* fresh = found(now);
-  if (old == nullptr || fresh == nullptr || old == fresh) return;
-  if (old->candidates.empty()) return;
+std::optional<EffectRef> DiagnosePage::stood_on(const Snapshot& known) {
+  const updating::Diagnosis* d = found(known);
+  if (state_.list.nowhere || d == nullptr || d->candidates.empty()) {
+    return chosen_;
+  }
+  const std::size_t at =
+      settled(candidate_table(*d, {}, 80, true), state_.list);
+  const EffectRef here = ref_of(d->candidates[at]);
+  if (at > 0 || chosen_ == here) return chosen_ = here;
+  chosen_.reset();
   // Nobody chose what happened to lead before there was a verdict.
-  if (standing_of(before) == Standing::Preliminary &&
-      state_.list.selected == 0) {
+  if (standing_of(known) == Standing::Preliminary) return std::nullopt;
+  return here;
+}
+
+void DiagnosePage::follow(const Snapshot& before, const Snapshot& now) {
+  const updating::Diagnosis* fresh = found(now);
+  if (fresh == nullptr || found(before) == fresh) return;
+  const std::optional<EffectRef> stood = stood_on(before);
+  state_.list.selected = 0;
+  state_.list.nowhere = false;
+  if (!stood) return;
+  const auto at = std::ranges::find(fresh->candidates, *stood, ref_of);
+  if (at != fresh->candidates.end()) {
+    state_.list.selected =
+        static_cast<std::size_t>(at - fresh->candidates.begin());
     return;
   }
-  const Table table = candidate_table(*old, {}, 80, true);
-  const Candidate& chosen = old->candidates[settled(table, state_.list)];
-  const auto at = std::ranges::find(fresh->candidates, ref_of(chosen), ref_of);
-  state_.list.selected =
-      at == fresh->candidates.end()
-          ? 0
-          : static_cast<std::size_t>(at - fresh->candidates.begin());
+  const Snapshot::Effects on = now.effects_on();
+  if (std::ranges::find(on, *stood) != on.end()) chosen_.reset();
+  state_.list.nowhere = chosen_.has_value() && !fresh->candidates.empty();
 }
 
 bool DiagnosePage::leave_view() {
@@ -174,6 +189,14 @@ bool DiagnosePage::press_firmness(const updating::Diagnosis& d, Key key) {
   return true;
 }
 
+bool DiagnosePage::acts_on_nothing(const updating::Diagnosis& d,
+                                   Key key) const {
+  if (!state_.list.nowhere || !chosen_) return false;
+  if (key == U't' || key == U' ' || key == U'i') return true;
+  return (key == U'a' || key == keys::enter) &&
+         tagged_of(d, state_.tagged).empty();
+}
+
 /// All other keys do what they always do.
 bool DiagnosePage::press_details(const updating::Diagnosis& d,
                                  const Table& table,
@@ -196,6 +219,10 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
   const Table table = candidate_table(d, {}, 80, true);
   if (none_shown(table, state_.list) && is_row_key(key)) {
     command.message = nothing_matches;
+    return true;
+  }
+  if (acts_on_nothing(d, key)) {
+    command.message = missing_words(*chosen_, standing_of(known));
     return true;
   }
   const Standing standing = standing_of(known);
@@ -229,7 +256,12 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     state_.map = !state_.map;
     return true;
   }
-  if (list_key(state_.list, table, key)) return true;
+  if (list_key(state_.list, table, key)) {
+    if (!d.candidates.empty()) {
+      chosen_ = ref_of(d.candidates[settled(table, state_.list)]);
+    }
+    return true;
+  }
   if (sort_key(state_.list, table, key, command.message)) return true;
   return press_plot(known, key);
 }

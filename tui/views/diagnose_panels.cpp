@@ -75,6 +75,16 @@ std::vector<std::string> cursor_lines(const Plot& plot, int width) {
 
 }  // namespace
 
+std::string missing_words(const updating::EffectRef& missing,
+                          Standing standing) {
+  return fmt::format(
+      "{} {}; j k choose another",
+      updating::effect_text(missing.effect, missing.where),
+      standing == Standing::Preliminary
+          ? "is not tried yet: the cursor goes back to it once it is"
+          : "is not in this list");
+}
+
 std::vector<int> grids_of(const acquisition::TestBundle& bundle,
                           const updating::Location& where,
                           const structure::Deck* deck) {

@@ -36,7 +36,13 @@ struct DiagnoseInput {
   const signal::FrfSet* frfs = nullptr;
   /// Of the chosen one, once it is known.
   const updating::EffectEvidence* evidence = nullptr;
+  /// What the user went to, where it is not among these candidates.
+  const updating::EffectRef* missing = nullptr;
 };
+
+/// Of that: why, and what to do.
+[[nodiscard]] std::string missing_words(const updating::EffectRef& missing,
+                                        Standing standing);
 
 struct DiagnoseState {
   ListState list;  ///< candidates

@@ -204,6 +204,13 @@ Screen diagnose_view(const DiagnoseInput& input,
                               std::max(body.height / 3, 4));
   const auto [list, rest] = split_top(body, rows);
   draw_table(screen, list, table, state.list, true);
+  if (input.missing != nullptr) {
+    write(screen,
+          rest.y,
+          wrapped(missing_words(*input.missing, input.standing), room),
+          Colour::Yellow);
+    return screen;
+  }
   const int below = write_chosen(screen, rest.y, input, chosen);
   if (outdated) return screen;
   const Rect lower{0, below, canvas.width, canvas.height - below};

@@ -31,8 +31,8 @@ class DiagnosePage final : public Page {
   std::vector<Need> welcome(const Snapshot& known) const override;
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
-  /// The cursor stays on its candidate, or goes to the first where that is no
-  /// more.
+  /// The cursor stays on its candidate. Where a list does not have the one that
+  /// the user went to, it is on none, and comes back as soon as one has it.
   void follow(const Snapshot& before, const Snapshot& now) override;
   /// What was tagged has been added.
   void untag() { state_.tagged.clear(); }
@@ -43,6 +43,11 @@ class DiagnosePage final : public Page {
   std::string help() const override;
 
  private:
+  /// What the cursor is on, or was before a list came without it; none where
+  /// that is nothing that anybody chose.
+  std::optional<updating::EffectRef> stood_on(const Snapshot& known);
+  /// The key is for the candidate that is not listed now.
+  bool acts_on_nothing(const updating::Diagnosis& d, Key key) const;
   bool press_firmness(const updating::Diagnosis& d, Key key);
   bool press_details(const updating::Diagnosis& d, const Table& table, Key key);
   bool press_plot(const Snapshot& known, Key key);
@@ -56,4 +61,6 @@ class DiagnosePage final : public Page {
   DiagnoseState state_;
 };
 
+  /// What the user went to, until they go elsewhere.
+  std::optional<updating::EffectRef> chosen_;
 }  // namespace tapfit::tui

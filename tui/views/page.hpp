@@ -115,6 +115,7 @@ inline bool Page::click(const Snapshot&, const Zone& zone, int x) {
   if (zone.kind == Zone::Kind::PlotX && range() != nullptr) {
     range()->cursor = zone.value_at(x);
     range()->cursor_set = true;
+    list()->nowhere = false;
     return true;
   }
   if (zone.kind == Zone::Kind::Row && list() != nullptr) {

@@ -239,7 +239,9 @@ bool list_key(ListState& state, const Table& table, Key key, int page) {
   const std::vector<std::size_t> rows = visible_rows(table, state);
   if (rows.empty()) return false;
   const auto last = static_cast<long>(rows.size()) - 1;
-  auto at = static_cast<long>(place_of(rows, settled(table, state)));
+  auto at = state.nowhere
+                ? -1L
+                : static_cast<long>(place_of(rows, settled(table, state)));
   if (key == keys::up || key == U'k' || key == keys::wheel_up) {
     at -= 1;
   } else if (key == keys::down || key == U'j' || key == keys::wheel_down) {
@@ -256,6 +258,7 @@ bool list_key(ListState& state, const Table& table, Key key, int page) {
     return false;
   }
   state.selected = rows[static_cast<std::size_t>(std::clamp(at, 0L, last))];
+  state.nowhere = false;
   return true;
 }
 
@@ -342,7 +345,7 @@ void draw_table(Screen& screen,
     const std::size_t r = rows[static_cast<std::size_t>(shown)];
     const Rect line{rect.x + 1, rect.y + 1 + i, rect.width - 2, 1};
     Style style = table.rows[r].style;
-    if (active && r == selected) {
+    if (active && r == selected && !state.nowhere) {
       style.reverse = true;
       style.bold = true;
       screen.fill({rect.x, line.y, rect.width, 1}, U' ', style);

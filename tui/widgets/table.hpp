@@ -43,6 +43,8 @@ struct ListState {
   /// come.
   std::string sorted_by = {};
   bool rising = false;  ///< numbers from the smallest up
+  /// No row is selected until one is gone to: what was is not listed now.
+  bool nowhere = false;
 };
 
 /// Indices of the rows that hold the filter's text (any case), as they stand.

@@ -164,6 +164,26 @@ TEST(Program, TheCursorStaysOnItsCandidate) {
   EXPECT_TRUE(holds(row(first), "added-mass")) << row(first);
 }
 
+// What is tried first is not what one stands on.
+TEST(Program, TheCursorWaitsForItsCandidate) {
+  FakeOptions options;
+  options.endless_diagnosis = true;
+  options.tried_after_adding = 1;
+  Program program(testing::fake_workbench(options), {120, 35});
+  (void)replay(program, parse_key_script("5\nwait\nj\nA\nwait\n"));
+  program.press(Key(U'5'));
+  const auto seen = [&program] { return program.draw().to_text(); };
+  for (int i = 0; i < 20000 && !holds(seen(), "1 tried"); ++i) program.tick();
+  ASSERT_TRUE(holds(seen(), "1 tried")) << seen();
+  EXPECT_FALSE(holds(seen(), "▸")) << seen();
+  EXPECT_TRUE(holds(seen(), "sensor-mass at acc1 is not tried yet")) << seen();
+  program.press(Key(U'a'));
+  EXPECT_TRUE(holds(seen(), "5 Diagnose")) << seen();
+  EXPECT_FALSE(holds(seen(), "adding")) << seen();
+  program.press(Key(U'j'));
+  EXPECT_TRUE(holds(seen(), "▸")) << seen();
+  program.leave();
+}
 // Two effects that came in one step: a model with one of them never was.
 TEST(Program, ReportsNoDiagnosisOfAModelThatNeverWas) {
   FakeOptions options;

@@ -102,15 +102,13 @@ class FakeWorkbench final : public Workbench {
   const updating::Diagnosis& diagnosis(const Progress& progress) override {
     progress("hypotheses", 0.2);
     if (options_.endless_first_diagnosis && added_.empty()) {
-      const updating::FitObserver* observer = updating::fit_observer(progress);
-      for (const updating::Candidate& c : diagnosis_.candidates) {
-        if (observer != nullptr && observer->tried) observer->tried(c);
-      }
+      tell_tried(progress, diagnosis_.candidates.size());
       while (true) {
         progress("hypotheses", 0.3);
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }
     }
+    if (!added_.empty()) tell_tried(progress, options_.tried_after_adding);
     while (!added_.empty() &&
            (options_.endless_diagnosis ||
             (options_.diagnosis_held != nullptr && *options_.diagnosis_held))) {
@@ -244,6 +242,14 @@ class FakeWorkbench final : public Workbench {
   updating::Comparison better_ = fake_comparison(0.0);
   updating::Diagnosis diagnosis_ = fake_diagnosis();
   using Effects = std::vector<updating::AddedEffect>;
+
+  void tell_tried(const Progress& progress, std::size_t first) {
+    const updating::FitObserver* observer = updating::fit_observer(progress);
+    if (observer == nullptr || !observer->tried) return;
+    for (std::size_t i = 0; i < first; ++i) {
+      observer->tried(diagnosis_.candidates[i]);
+    }
+  }
 
   bool move(std::vector<Effects>& from, std::vector<Effects>& to) {
     if (from.empty()) return false;

@@ -29,6 +29,9 @@ struct FakeOptions {
   /// The first diagnosis tells what it has tried and goes on without an end.
   bool endless_first_diagnosis = false;
   bool endless_diagnosis = false;  ///< the same once something was added
+  /// How many candidates each diagnosis tells it has tried, once something was
+  /// added.
+  std::size_t tried_after_adding = 0;
   /// diagnosis() waits while it is set, once something was added.
   std::atomic<bool>* diagnosis_held = nullptr;
   bool reversed_after_adding = false;  ///< candidates, the last one first

@@ -37,5 +37,71 @@ TEST(DiagnosePage, StandsOnTheVerdictWhereNothingElseWasChosen) {
   EXPECT_EQ(page.list()->selected, 0U);
 }
 
+// Lists that are made on the way come without it, and with others first.
+TEST(DiagnosePage, ComesBackToWhatWasChosenOnceItIsListed) {
+  const auto listed = [](std::vector<std::size_t> rows) {
+    const updating::Diagnosis all = testing::fake_diagnosis();
+    auto some = std::make_shared<updating::Diagnosis>(all);
+    some->candidates.clear();
+    for (const std::size_t row : rows) {
+      some->candidates.push_back(all.candidates[row]);
+    }
+    return some;
+  };
+  Snapshot last;
+  last.diagnosis = listed({0, 1});
+  DiagnosePage page;
+  Command command;
+  ASSERT_TRUE(page.press(last, Key(U'j'), command));
+  Snapshot tried;
+  tried.preliminary = listed({0});
+  page.follow(last, tried);
+  for (const char32_t key : {U'a', U't', U'i'}) {
+    command = {};
+    EXPECT_TRUE(page.press(tried, Key(key), command));
+    EXPECT_EQ(command.kind, Command::Kind::None);
+    EXPECT_NE(command.message.find("sensor-mass at acc1 is not tried yet"),
+              std::string::npos)
+        << command.message;
+  }
+  Snapshot more;
+  more.preliminary = listed({1, 0});  // the first, which somebody did choose
+  page.follow(tried, more);
+  Snapshot verdict;
+  verdict.diagnosis = listed({0, 1});
+  page.follow(more, verdict);
+  command = {};
+  EXPECT_TRUE(page.press(verdict, Key(U'a'), command));
+  ASSERT_EQ(command.effects.size(), 1U);
+  EXPECT_EQ(command.effects[0].effect, "sensor-mass");
+  // Once added it need not be listed any more.
+  Snapshot without;
+  without.diagnosis = listed({0});
+  without.effects = {{command.effects[0], true}};
+  page.follow(verdict, without);
+  command = {};
+  EXPECT_TRUE(page.press(without, Key(U'a'), command));
+  ASSERT_EQ(command.effects.size(), 1U);
+  EXPECT_EQ(command.effects[0].effect, "added-mass");
+}
+TEST(DiagnosePage, GoesElsewhereFromWhatIsNotListed) {
+  Snapshot last;
+  last.diagnosis =
+      std::make_shared<updating::Diagnosis>(testing::fake_diagnosis());
+  DiagnosePage page;
+  Command command;
+  ASSERT_TRUE(page.press(last, Key(U'j'), command));
+  auto one = std::make_shared<updating::Diagnosis>(*last.diagnosis);
+  one->candidates.pop_back();
+  Snapshot tried;
+  tried.preliminary = one;
+  page.follow(last, tried);
+  ASSERT_TRUE(page.press(tried, Key(U'j'), command));
+  page.follow(tried, last);
+  EXPECT_EQ(page.list()->selected, 0U);
+  EXPECT_TRUE(page.press(last, Key(U'a'), command));
+  EXPECT_EQ(command.effects[0].effect, "added-mass");
+}
+
 }  // namespace
 }  // namespace tapfit::tui
