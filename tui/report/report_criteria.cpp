@@ -2,6 +2,7 @@
 
 #include "tui/report/report_words.hpp"
 #include "tui/screen/number.hpp"
+#include "updating/comparison/criteria.hpp"
 
 #include <fmt/format.h>
 
@@ -16,16 +17,12 @@ namespace {
 
 using acquisition::Limits;
 using updating::Comparison;
+using updating::Criteria;
+using updating::keeps_one;
 using updating::ModePair;
 
-using Found = std::optional<double> Criteria::*;
-using Limit = std::optional<double> Limits::*;
-
-/// One criterion: its value, its limit, and how both are written.
-struct Criterion {
-  Found found;
-  Limit limit;
-  bool at_least;  ///< otherwise at most
+/// One criterion and how its value and its limit are written.
+struct Criterion : updating::Criterion {
   int decimals;
   const char* unit;
   const char* words;  ///< at its worst
@@ -33,52 +30,30 @@ struct Criterion {
   const char* column;
 };
 constexpr std::array<Criterion, 4> criteria{
-    {{&Criteria::frequency_percent,
-      &Limits::frequency_percent,
-      false,
+    {{updating::criteria[0],
       2,
       " %",
       "largest frequency error of a pair",
       "frequency within",
       "error"},
-     {&Criteria::mac,
-      &Limits::mac,
-      true,
+     {updating::criteria[1],
       3,
       "",
       "smallest MAC of a pair",
       "MAC at least",
       "MAC"},
-     {&Criteria::on_diagonal,
-      &Limits::cross_orthogonality_diagonal,
-      true,
+     {updating::criteria[2],
       3,
       "",
       "smallest cross-orthogonality of a pair",
       "cross-orthogonality on the diagonal at least",
       "cross-orth."},
-     {&Criteria::off_diagonal,
-      &Limits::cross_orthogonality,
-      false,
+     {updating::criteria[3],
       3,
       "",
       "largest cross-orthogonality off the diagonal",
       "cross-orthogonality off the diagonal at most",
       "off diagonal"}}};
-
-/// What is no number keeps no limit.
-bool within(const Criterion& one, double value, double limit) {
-  return one.at_least ? value >= limit : value <= limit;
-}
-
-std::optional<bool> keeps_one(const Criterion& one,
-                              const Criteria& mode,
-                              const Limits& limits) {
-  const std::optional<double>& limit = limits.*one.limit;
-  const std::optional<double>& value = mode.*one.found;
-  if (!limit || !value) return std::nullopt;
-  return within(one, *value, *limit);
-}
 
 const char* judged_words(std::optional<bool> kept) {
   return !kept ? "not tested" : *kept ? "✓ pass" : "✗ fail";
@@ -89,46 +64,21 @@ std::string value_text(const Criterion& one,
   return value ? fixed(*value, one.decimals) + one.unit : "–";
 }
 
-double cross(const Comparison& c, int measured, int model) {
-  return std::sqrt(std::max(c.weighted_mac(measured, model), 0.0));
-}
-
-bool has_cross(const Comparison& c, const ModePair& pair) {
-  return pair.has_shape && pair.measured < c.weighted_mac.rows() &&
-         pair.model < c.weighted_mac.cols();
-}
-
-Criteria of_pair(const Comparison& c, const ModePair& pair) {
-  Criteria found;
-  found.paired = true;
-  found.frequency_percent = std::abs(pair.error_percent);
-  if (!pair.has_shape) return found;
-  found.mac = pair.mac;
-  if (!has_cross(c, pair)) return found;
-  found.on_diagonal = cross(c, pair.measured, pair.model);
-  for (const ModePair& other : c.pairs) {
-    if (other.model == pair.model || !has_cross(c, other)) continue;
-    found.off_diagonal = std::max(found.off_diagonal.value_or(0.0),
-                                  cross(c, pair.measured, other.model));
-  }
-  return found;
-}
-
 /// One comparison, judged.
 struct Judged {
   const Comparison* comparison = nullptr;
   const char* when = "model";  ///< or "before", "after"
   std::vector<Criteria> modes;
   Criteria worst;
-  Tally tally;
+  updating::Tally tally;
 };
 
 Judged judged(const Comparison& comparison,
               const char* when,
               const ReportData& data) {
-  const auto modes = criteria_of(comparison, data.modes.modes.size());
-  const Tally counted = tally(modes, data.notes.limits);
-  return {&comparison, when, modes, worst_of(modes), counted};
+  const auto modes = updating::criteria_of(comparison, data.modes.modes.size());
+  const updating::Tally counted = updating::tally(modes, data.notes.limits);
+  return {&comparison, when, modes, updating::worst_of(modes), counted};
 }
 
 /// As delivered, and as it is now where that is another model.
@@ -155,10 +105,10 @@ void add_worst_rows(const std::vector<Judged>& models,
     };
     if (!(limits.*one.limit) && !std::ranges::any_of(models, known)) continue;
     std::vector<std::string> row{one.words};
-    if (any_limit(limits)) row.push_back(limit_words(one, limits));
+    if (updating::any_limit(limits)) row.push_back(limit_words(one, limits));
     for (const Judged& model : models) {
       row.push_back(value_text(one, model.worst.*one.found));
-      if (!any_limit(limits)) continue;
+      if (!updating::any_limit(limits)) continue;
       row.emplace_back(limits.*one.limit
                            ? judged_words(keeps_one(one, model.worst, limits))
                            : "–");
@@ -170,7 +120,7 @@ void add_worst_rows(const std::vector<Judged>& models,
 void add_count_rows(const std::vector<Judged>& models,
                     const Limits& limits,
                     DataTable& table) {
-  const bool limited = any_limit(limits);
+  const bool limited = updating::any_limit(limits);
   std::vector<std::string> pairs{"measured modes with a pair"};
   if (limited) pairs.emplace_back("all");
   std::vector<std::string> kept{"measured modes that keep all limits", "all"};
@@ -191,7 +141,7 @@ void add_count_rows(const std::vector<Judged>& models,
 DataTable worst_table(const ReportData& data,
                       const std::vector<Judged>& models) {
   DataTable table{"", {"<criterion"}, {}};
-  const bool limited = any_limit(data.notes.limits);
+  const bool limited = updating::any_limit(data.notes.limits);
   if (limited) table.heading.emplace_back("<limit");
   for (const Judged& model : models) {
     table.heading.emplace_back(model.when);
@@ -235,7 +185,8 @@ void add_mode_cells(const Judged& model,
       row.push_back(mode_cell(one, found, known, limits));
     }
   }
-  if (any_limit(limits)) row.emplace_back(judged_words(keeps(found, limits)));
+  if (updating::any_limit(limits))
+    row.emplace_back(judged_words(updating::keeps(found, limits)));
 }
 
 DataTable mode_table_of(const ReportData& data,
@@ -248,7 +199,7 @@ DataTable mode_table_of(const ReportData& data,
     for (const Criterion& one : criteria) {
       if (is_told(one, limits)) table.heading.emplace_back(one.column);
     }
-    if (any_limit(limits)) table.heading.emplace_back("<");
+    if (updating::any_limit(limits)) table.heading.emplace_back("<");
   }
   for (std::size_t k = 0; k < data.modes.modes.size(); ++k) {
     std::vector<std::string> row{fmt::format("{}", k + 1),
@@ -265,7 +216,7 @@ void add_mode_tables(const ReportData& data,
                      std::span<const Judged> models,
                      std::vector<Part>& parts) {
   const std::string caption = "Modes of measurement and model";
-  if (models.size() == 1 || !any_limit(data.notes.limits)) {
+  if (models.size() == 1 || !updating::any_limit(data.notes.limits)) {
     parts.emplace_back(mode_table_of(data, models, caption));
     return;
   }
@@ -276,7 +227,7 @@ void add_mode_tables(const ReportData& data,
 }
 
 std::string small_print(const Limits& limits, const Criteria& worst) {
-  std::string text = any_limit(limits)
+  std::string text = updating::any_limit(limits)
                          ? "Limits are those of test.json."
                          : "No limits are set (\"limits\" in test.json).";
   if (worst.on_diagonal) {
@@ -294,95 +245,80 @@ std::string small_print(const Limits& limits, const Criteria& worst) {
   return text;
 }
 
+/// A limit that is set, and what became of it in every measured mode.
+struct Outcome {
+  std::string limit;  ///< "MAC at least 0.9"
+  std::size_t kept = 0;
+  std::size_t broken = 0;
+  std::string worst;  ///< "0.812 (mode 3)"
+};
+
+Outcome outcome_of(const Criterion& one,
+                   const Judged& model,
+                   const Limits& limits) {
+  Outcome found;
+  found.limit =
+      fmt::format("{} {}{}", one.brief, number(*(limits.*one.limit)), one.unit);
+  const std::optional<double>& worst = model.worst.*one.found;
+  for (std::size_t k = 0; k < model.modes.size(); ++k) {
+    const std::optional<bool> kept = keeps_one(one, model.modes[k], limits);
+    if (!kept) continue;
+    ++(*kept ? found.kept : found.broken);
+    const double value = *(model.modes[k].*one.found);
+    const bool is_worst = value == *worst || std::isnan(value);
+    if (!is_worst || !found.worst.empty()) continue;
+    found.worst = fmt::format("{} (mode {})", value_text(one, value), k + 1);
+  }
+  return found;
+}
+
+/// "Off the diagonal at most 0.1 is broken by 7 of 7 measured modes, 0.312
+/// (mode 5) the worst."
+std::string words_of(const Outcome& one, std::size_t modes) {
+  const std::size_t tested = one.kept + one.broken;
+  if (tested == 0) return capitalised(one.limit) + " is not tested.";
+  const std::size_t count = one.broken > 0 ? one.broken : one.kept;
+  return fmt::format("{} is {} by {} measured modes, {} the worst.",
+                     capitalised(one.limit),
+                     one.broken > 0 ? "broken" : "kept",
+                     count == modes ? fmt::format("all {}", modes)
+                                    : fmt::format("{} of {}", count, modes),
+                     one.worst);
+}
+
 }  // namespace
-
-std::vector<Criteria> criteria_of(const Comparison& comparison,
-                                  std::size_t measured_modes) {
-  std::vector<Criteria> found(measured_modes);
-  for (const ModePair& pair : comparison.pairs) {
-    const auto mode = static_cast<std::size_t>(pair.measured);
-    if (mode < measured_modes) found[mode] = of_pair(comparison, pair);
-  }
-  return found;
-}
-
-Criteria worst_of(const std::vector<Criteria>& modes) {
-  Criteria worst;
-  worst.paired =
-      !modes.empty() && std::ranges::all_of(modes, &Criteria::paired);
-  for (const Criteria& mode : modes) {
-    for (const Criterion& one : criteria) {
-      const std::optional<double>& value = mode.*one.found;
-      std::optional<double>& so_far = worst.*one.found;
-      if (!value) continue;
-      // What is no number is the worst and stays it.
-      const bool lost = so_far && std::isnan(*so_far);
-      if (!lost && !(so_far && within(one, *value, *so_far))) so_far = value;
-    }
-  }
-  return worst;
-}
-
-bool any_limit(const Limits& limits) {
-  return std::ranges::any_of(criteria, [&limits](const Criterion& one) {
-    return (limits.*one.limit).has_value();
-  });
-}
-
-std::optional<bool> keeps(const Criteria& mode, const Limits& limits) {
-  if (!any_limit(limits)) return std::nullopt;
-  if (!mode.paired) return false;
-  std::optional<bool> kept = true;
-  for (const Criterion& one : criteria) {
-    if (!(limits.*one.limit)) continue;
-    const std::optional<bool> this_one = keeps_one(one, mode, limits);
-    if (this_one == false) return false;
-    if (!this_one) kept.reset();
-  }
-  return kept;
-}
-
-std::optional<bool> Tally::verdict() const {
-  if (failed == 0 && (modes == 0 || kept < modes)) return std::nullopt;
-  return failed == 0;
-}
-
-Tally tally(const std::vector<Criteria>& modes, const Limits& limits) {
-  Tally found{.modes = modes.size()};
-  for (const Criteria& mode : modes) {
-    const std::optional<bool> kept = keeps(mode, limits);
-    found.kept += kept == true ? 1 : 0;
-    found.failed += kept == false ? 1 : 0;
-  }
-  return found;
-}
 
 std::string criteria_sentence(const ReportData& data) {
   const Limits& limits = data.notes.limits;
-  if (!data.model || !any_limit(limits)) return {};
-  std::vector<std::string> set;
-  for (const Criterion& one : criteria) {
-    const std::optional<double>& limit = limits.*one.limit;
-    if (!limit) continue;
-    set.push_back(fmt::format("{} {}{}", one.brief, number(*limit), one.unit));
-  }
-  const std::string text = "The limits of the test (" + enumerated(set) + ")";
+  if (!data.model || !updating::any_limit(limits)) return {};
   const auto models = all_judged(data);
-  const Tally& now = models.back().tally;
-  const auto verdict = now.verdict();
-  const Tally& was = models.front().tally;
-  std::string before;
-  if (models.size() > 1)
-    before = fmt::format(", before by {} of {}", was.kept, was.modes);
-  return fmt::format(
-      "{} are kept by {} {} measured modes{}: {}.",
-      text,
-      now.kept == now.modes ? "all" : fmt::format("{} of", now.kept),
-      now.modes,
-      before,
-      !verdict   ? "not tested"
-      : *verdict ? "pass"
-                 : "fail");
+  const Judged& now = models.back();
+  std::vector<Outcome> outcomes;
+  for (const Criterion& one : criteria) {
+    if (limits.*one.limit) outcomes.push_back(outcome_of(one, now, limits));
+  }
+  std::ranges::stable_sort(
+      outcomes, {}, [](const Outcome& one) { return one.broken == 0; });
+  const auto verdict = now.tally.verdict();
+  const std::size_t all = now.tally.modes;
+  const auto of_all = [](const updating::Tally& t) {
+    return t.kept == t.modes ? fmt::format("all {}", t.modes)
+                             : fmt::format("{} of {}", t.kept, t.modes);
+  };
+  std::string text = fmt::format("Limits of the test: {}. ",
+                                 !verdict   ? "not tested"
+                                 : *verdict ? "pass"
+                                            : "fail");
+  for (const Outcome& one : outcomes) text += words_of(one, all) + " ";
+  const auto paired = std::ranges::count(now.modes, true, &Criteria::paired);
+  if (static_cast<std::size_t>(paired) < all) {
+    text += fmt::format("{} of {} measured modes have a pair. ", paired, all);
+  }
+  text += fmt::format("Every limit is kept by {}", of_all(now.tally));
+  if (models.size() > 1) {
+    text += fmt::format(", before by {}", of_all(models.front().tally));
+  }
+  return text + ".";
 }
 
 std::vector<Part> criteria_parts(const ReportData& data) {

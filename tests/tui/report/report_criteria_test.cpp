@@ -5,6 +5,7 @@
 #include "tui/document/html_document.hpp"
 #include "tui/document/markdown_document.hpp"
 #include "tui/report/session_report.hpp"
+#include "updating/comparison/criteria.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,9 @@
 
 namespace tapfit::tui {
 namespace {
+
+using updating::Criteria;
+using updating::Tally;
 
 bool holds_words(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
@@ -47,13 +51,13 @@ TEST(Criteria, AreOfEachModeAndTheWorstOfAll) {
   updating::Comparison c = known_pairs();
   c.pairs[1].error_percent = -7.0;
   c.pairs[2].mac = 0.5;
-  const std::vector<Criteria> modes = criteria_of(c, 3);
+  const std::vector<Criteria> modes = updating::criteria_of(c, 3);
   ASSERT_EQ(modes.size(), 3U);
   EXPECT_DOUBLE_EQ(modes[1].frequency_percent.value(), 7.0);
   EXPECT_DOUBLE_EQ(modes[0].on_diagonal.value(), 1.0);
   EXPECT_DOUBLE_EQ(modes[0].off_diagonal.value(), 0.2);
   EXPECT_DOUBLE_EQ(modes[1].off_diagonal.value(), 0.0);
-  const Criteria worst = worst_of(modes);
+  const Criteria worst = updating::worst_of(modes);
   EXPECT_TRUE(worst.paired);
   EXPECT_DOUBLE_EQ(worst.frequency_percent.value(), 7.0);
   EXPECT_DOUBLE_EQ(worst.mac.value(), 0.5);
@@ -62,12 +66,12 @@ TEST(Criteria, AreOfEachModeAndTheWorstOfAll) {
 }
 
 TEST(Criteria, LetNoModeWithoutAPairPass) {
-  const std::vector<Criteria> modes = criteria_of(known_pairs(), 4);
-  EXPECT_FALSE(worst_of(modes).paired);
+  const std::vector<Criteria> modes = updating::criteria_of(known_pairs(), 4);
+  EXPECT_FALSE(updating::worst_of(modes).paired);
   const acquisition::Limits limits{.frequency_percent = 6.0};
-  EXPECT_EQ(keeps(modes[0], limits), true);
-  EXPECT_EQ(keeps(modes[3], limits), false);
-  const Tally found = tally(modes, limits);
+  EXPECT_EQ(updating::keeps(modes[0], limits), true);
+  EXPECT_EQ(updating::keeps(modes[3], limits), false);
+  const Tally found = updating::tally(modes, limits);
   EXPECT_EQ(found.kept, 3U);
   EXPECT_EQ(found.failed, 1U);
   EXPECT_EQ(found.modes, 4U);
@@ -75,24 +79,27 @@ TEST(Criteria, LetNoModeWithoutAPairPass) {
 }
 
 TEST(Criteria, JudgeEachLimitThatIsSet) {
-  const Criteria mode = criteria_of(known_pairs(), 3).front();
-  EXPECT_EQ(keeps(mode, {}), std::nullopt);
-  EXPECT_EQ(keeps(mode, {.frequency_percent = 4.9}), false);
-  EXPECT_EQ(keeps(mode, {.mac = 0.98}), false);
-  EXPECT_EQ(keeps(mode, {.mac = 0.97}), true);
-  EXPECT_EQ(keeps(mode, {.cross_orthogonality = 0.1}), false);
-  EXPECT_EQ(keeps(mode, {.cross_orthogonality_diagonal = 0.9}), true);
+  const Criteria mode = updating::criteria_of(known_pairs(), 3).front();
+  EXPECT_EQ(updating::keeps(mode, {}), std::nullopt);
+  EXPECT_EQ(updating::keeps(mode, {.frequency_percent = 4.9}), false);
+  EXPECT_EQ(updating::keeps(mode, {.mac = 0.98}), false);
+  EXPECT_EQ(updating::keeps(mode, {.mac = 0.97}), true);
+  EXPECT_EQ(updating::keeps(mode, {.cross_orthogonality = 0.1}), false);
+  EXPECT_EQ(updating::keeps(mode, {.cross_orthogonality_diagonal = 0.9}), true);
 }
 
 TEST(Criteria, AreNotKeptWhereALimitIsNotTested) {
   updating::Comparison c = known_pairs();
   for (updating::ModePair& pair : c.pairs) pair.has_shape = false;
-  const Criteria mode = criteria_of(c, 3).front();
-  EXPECT_EQ(keeps(mode, {.frequency_percent = 6.0, .mac = 0.9}), std::nullopt);
-  EXPECT_EQ(keeps(mode, {.frequency_percent = 4.0, .mac = 0.9}), false);
-  EXPECT_EQ(keeps(mode, {.mac = 0.9}), std::nullopt);
-  EXPECT_EQ(keeps(mode, {.frequency_percent = 6.0}), true);
-  const Tally found = tally({mode}, {.frequency_percent = 6.0, .mac = 0.9});
+  const Criteria mode = updating::criteria_of(c, 3).front();
+  EXPECT_EQ(updating::keeps(mode, {.frequency_percent = 6.0, .mac = 0.9}),
+            std::nullopt);
+  EXPECT_EQ(updating::keeps(mode, {.frequency_percent = 4.0, .mac = 0.9}),
+            false);
+  EXPECT_EQ(updating::keeps(mode, {.mac = 0.9}), std::nullopt);
+  EXPECT_EQ(updating::keeps(mode, {.frequency_percent = 6.0}), true);
+  const Tally found =
+      updating::tally({mode}, {.frequency_percent = 6.0, .mac = 0.9});
   EXPECT_EQ(found.kept, 0U);
   EXPECT_EQ(found.verdict(), std::nullopt);
 }
@@ -104,9 +111,9 @@ TEST(CriteriaTables, SayWhatWasNotTested) {
     for (updating::ModePair& pair : c->pairs) pair.has_shape = false;
   }
   EXPECT_EQ(criteria_sentence(data),
-            "The limits of the test (frequency within 2 % and MAC at least "
-            "0.9) are kept by 0 of 3 measured modes, before by 0 of 3: not "
-            "tested.");
+            "Limits of the test: not tested. Frequency within 2 % is kept by "
+            "all 3 measured modes, 0.00 % (mode 1) the worst. MAC at least 0.9 "
+            "is not tested. Every limit is kept by 0 of 3, before by 0 of 3.");
   const std::string text = as_markdown(report_document(data), "f");
   EXPECT_TRUE(holds_words(text, "| ≥ 0.9 | – | not tested | – | not tested |"))
       << text;
@@ -118,21 +125,36 @@ TEST(CriteriaTables, SayWhatWasNotTested) {
 TEST(Criteria, FailWhereANumberIsNone) {
   updating::Comparison c = known_pairs();
   c.pairs[1].mac = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Criteria> modes = criteria_of(c, 3);
-  EXPECT_EQ(keeps(modes[1], {.mac = 0.5}), false);
-  EXPECT_EQ(keeps(worst_of(modes), {.mac = 0.5}), false);
+  const std::vector<Criteria> modes = updating::criteria_of(c, 3);
+  EXPECT_EQ(updating::keeps(modes[1], {.mac = 0.5}), false);
+  EXPECT_EQ(updating::keeps(updating::worst_of(modes), {.mac = 0.5}), false);
 }
 
-TEST(CriteriaSentence, TellsHowManyModesKeepTheLimits) {
+TEST(CriteriaSentence, TellsOfEachLimitByItself) {
   ReportData data = two_models();
   EXPECT_EQ(criteria_sentence(data), "");
   data.notes.limits = {.frequency_percent = 2.0, .mac = 0.9};
   EXPECT_EQ(criteria_sentence(data),
-            "The limits of the test (frequency within 2 % and MAC at least "
-            "0.9) are kept by all 3 measured modes, before by 0 of 3: pass.");
+            "Limits of the test: pass. Frequency within 2 % is kept by all 3 "
+            "measured modes, 0.00 % (mode 1) the worst. MAC at least 0.9 is "
+            "kept by all 3 measured modes, 0.970 (mode 1) the worst. Every "
+            "limit is kept by all 3, before by 0 of 3.");
   data.model->after.pairs.pop_back();
-  EXPECT_TRUE(criteria_sentence(data).ends_with(
-      "are kept by 2 of 3 measured modes, before by 0 of 3: fail."))
+  EXPECT_TRUE(holds_words(criteria_sentence(data),
+                          "2 of 3 measured modes have a pair. Every limit is "
+                          "kept by 2 of 3, before by 0 of 3."))
+      << criteria_sentence(data);
+}
+
+// Which one fails, and by how much, before those that are kept.
+TEST(CriteriaSentence, NamesTheLimitThatIsBrokenFirst) {
+  ReportData data = two_models();
+  data.notes.limits = {.frequency_percent = 2.0, .cross_orthogonality = 0.1};
+  data.model->after.weighted_mac(1, 2) = 0.09;  // 0.3 squared
+  EXPECT_TRUE(criteria_sentence(data).starts_with(
+      "Limits of the test: fail. Cross-orthogonality off the diagonal at most "
+      "0.1 is broken by 1 of 3 measured modes, 0.300 (mode 2) the worst. "
+      "Frequency within 2 % is kept by all 3 measured modes"))
       << criteria_sentence(data);
 }
 
