@@ -116,7 +116,7 @@ void Program::finish(Finished finished) {
     failed_.clear();
     if (!finished.message.empty()) tell(finished.message);
     if (finished.title.starts_with("adding")) {
-      turn_to(update_screen);
+      if (!screen_chosen_) turn_to(update_screen);
       diagnose_page_->untag();
       update_page_->mark_latest();
     }
@@ -176,6 +176,7 @@ void Program::tell(const std::string& text, bool error) {
 }
 
 void Program::act(Job job) {
+  screen_chosen_ = false;
   actions_.push_back(std::move(job));
   // What is being computed would be out of date; the action goes first.
   if (running_ && running_need_) worker_.stop();
@@ -208,6 +209,7 @@ void Program::ask_to_quit() {
 }
 
 void Program::go_to(std::size_t index) {
+  screen_chosen_ = true;
   crumbs_.push_back(current_);
   turn_to(index);
   mode_ = Mode::Normal;
@@ -222,12 +224,14 @@ void Program::turn_to(std::size_t index) {
 
 bool Program::go_back() {
   if (crumbs_.empty()) return false;
+  screen_chosen_ = true;
   turn_to(crumbs_.back());
   crumbs_.pop_back();
   return true;
 }
 
 void Program::show_screen(std::size_t index) {
+  screen_chosen_ = true;
   crumbs_.clear();
   turn_to(index);
   mode_ = Mode::Normal;

@@ -216,7 +216,10 @@ class Program {
   DiagnosePage* diagnose_page_ = nullptr;    ///< another
   UpdatePage* update_page_ = nullptr;        ///< another
   std::size_t current_ = 0;
-  std::size_t before_ = 0;      ///< shown before it
+  std::size_t before_ = 0;  ///< shown before it
+  /// By the user, since they asked for something last: its end leaves them
+  /// there.
+  bool screen_chosen_ = false;
   std::optional<Split> split_;  ///< what is shown beside it
   bool window_key_ = false;     ///< Ctrl-W was the last key
   Mode mode_ = Mode::Normal;

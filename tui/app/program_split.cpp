@@ -97,6 +97,7 @@ void Program::end_split(bool keep_focused) {
 }
 
 void Program::change_focus() {
+  screen_chosen_ = true;
   if (!split_) return tell("one screen is shown; | shows another beside it");
   std::swap(current_, split_->other);
   split_->other_is_second = !split_->other_is_second;

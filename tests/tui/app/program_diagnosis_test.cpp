@@ -184,6 +184,26 @@ TEST(Program, TheCursorWaitsForItsCandidate) {
   EXPECT_TRUE(holds(seen(), "▸")) << seen();
   program.leave();
 }
+
+// Who looks at something else meanwhile goes on looking at it.
+TEST(Program, TheEndOfAFitShowsItWhereNoScreenWasChosenSince) {
+  for (const char* key : {"", "5", "3"}) {
+    std::atomic<bool> held = true;
+    FakeOptions options;
+    options.held = &held;
+    Program program(testing::fake_workbench(options), {});
+    (void)replay(program, parse_key_script("5\nwait\n"));
+    program.press(Key(U'A'));
+    const bool chosen = *key != '\0';
+    if (chosen) program.press(Key(static_cast<char32_t>(*key)));
+    held = false;
+    wait_until_idle(program);
+    const std::string text = program.draw().to_text();
+    EXPECT_EQ(holds(text, "1 effect added"), !chosen) << key << text;
+    EXPECT_TRUE(holds(text, "added added-mass")) << text;
+  }
+}
+
 // Two effects that came in one step: a model with one of them never was.
 TEST(Program, ReportsNoDiagnosisOfAModelThatNeverWas) {
   FakeOptions options;
