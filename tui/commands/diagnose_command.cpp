@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t candidates_shown = 10;
-constexpr std::size_t indistinguishable_shown = 2;
+constexpr std::size_t kinds_shown = 3;
 
 ordered_json candidate_json(const updating::Candidate& candidate) {
   const ordered_json own =
@@ -125,17 +125,34 @@ std::string indented_parameters(
   return text;
 }
 
+/// Effects of one kind, "joint at 12 places"; a single one with its place.
+std::string of_one_kind(const std::vector<const updating::EffectRef*>& kind) {
+  const updating::EffectRef& first = *kind.front();
+  return kind.size() == 1
+             ? effect_text(first.effect, first.where)
+             : fmt::format("{} at {} places", first.effect, kind.size());
+}
+
+/// "or joint at 12 places, sensor-mass at acc1, 4 other kinds".
 std::string indistinguishable(const updating::Candidate& candidate) {
-  const auto& others = candidate.indistinguishable_from;
-  std::string text;
-  for (std::size_t k = 0; k < std::min(others.size(), indistinguishable_shown);
-       ++k) {
-    text += text.empty() ? "or " : ", ";
-    text += effect_text(others[k].effect, others[k].where);
+  std::vector<std::vector<const updating::EffectRef*>> kinds;
+  for (const updating::EffectRef& other : candidate.indistinguishable_from) {
+    const auto same = std::ranges::find_if(kinds, [&other](const auto& kind) {
+      return kind.front()->effect == other.effect;
+    });
+    if (same == kinds.end()) {
+      kinds.push_back({&other});
+    } else {
+      same->push_back(&other);
+    }
   }
-  if (others.size() > indistinguishable_shown) {
-    text +=
-        fmt::format(" and {} more", others.size() - indistinguishable_shown);
+  std::string text;
+  for (std::size_t k = 0; k < std::min(kinds.size(), kinds_shown); ++k) {
+    text += (text.empty() ? "or " : ", ") + of_one_kind(kinds[k]);
+  }
+  if (kinds.size() > kinds_shown) {
+    const std::size_t more = kinds.size() - kinds_shown;
+    text += fmt::format(", {} other kind{}", more, more == 1 ? "" : "s");
   }
   return text;
 }

@@ -56,6 +56,29 @@ updating::Diagnosis sample_diagnosis() {
   return diagnosis;
 }
 
+// Where nothing can be told apart, the kinds say it and a hundred places do
+// not.
+TEST(DiagnoseCommand, CountsLookAlikesByKind) {
+  updating::Diagnosis diagnosis = sample_diagnosis();
+  auto& alike = diagnosis.candidates[0].indistinguishable_from;
+  for (int node = 1; node <= 40; ++node) {
+    alike.push_back({"support-mismatch", at_node(node)});
+  }
+  alike.push_back({"sensor-mass", at_channels({"acc1"})});
+  const auto row = [&diagnosis] {
+    const std::string text = diagnosis_text(diagnosis);
+    const std::size_t at = text.find("or support-mismatch");
+    return at == std::string::npos ? text
+                                   : text.substr(at, text.find('\n', at) - at);
+  };
+  EXPECT_EQ(row(),
+            "or support-mismatch at 40 places, sensor-mass at acc1");
+  alike.push_back({"joint", at_node(1)});
+  alike.push_back({"joint", at_node(2)});
+  alike.push_back({"dashpot", at_node(2)});
+  EXPECT_TRUE(row().ends_with(", joint at 2 places, 1 other kind")) << row();
+}
+
 // A support's rotation and its translation are two forms of one effect.
 TEST(DiagnoseCommand, JsonNamesEachLookAlikeOnceAndNotTheCandidate) {
   updating::Diagnosis diagnosis = sample_diagnosis();
