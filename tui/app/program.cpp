@@ -65,8 +65,8 @@ void Program::resize(int width, int height) {
 }
 
 std::vector<KeyHelp> Program::page_keys() const {
-  if (lacks_input(page())) return page().keys_without_model();
-  std::vector<KeyHelp> keys = page().keys();
+  if (lacks_input(page())) return {};
+  std::vector<KeyHelp> keys = page().keys(known_);
   for (const char* command : {"plot", "copy"}) {
     for (const KeyBinding& usual : usual_bindings()) {
       if (usual.command != command) continue;
@@ -271,9 +271,6 @@ void Program::press_normal(Key key) {
   if (!key.ctrl && ready(page())) {
     Command command;
     if (page().press(known_, key, command)) return carry_out(command);
-  } else if (!key.ctrl && lacks_input(page())) {
-    Command command;
-    if (page().press_without_model(key, command)) return carry_out(command);
   }
   press_global(key);
 }

@@ -223,7 +223,7 @@ bool ComparePage::click(const Snapshot& known, const Zone& zone, int x) {
   return true;
 }
 
-std::vector<KeyHelp> ComparePage::keys() const {
+std::vector<KeyHelp> ComparePage::keys(const Snapshot&) const {
   const char* what = state_.focus == Focus::Map         ? "FRF, band"
                      : state_.focus == Focus::Pairs     ? "mode"
                      : state_.focus == Focus::Mac       ? "entry"

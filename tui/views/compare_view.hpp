@@ -62,7 +62,7 @@ class ComparePage final : public Page {
   }
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
-  std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:

@@ -9,10 +9,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace tapfit::tui {
 
+using updating::Comparison;
 using updating::ModePair;
+
+namespace {
+
+std::vector<std::string> pair_cells(const Comparison& c, int measured) {
+  const auto pair = std::ranges::find(c.pairs, measured, &ModePair::measured);
+  if (pair == c.pairs.end()) return {"–", "–", "–"};
+  return {fixed(pair->model_hz, 3),
+          signed_percent_words(pair->error_percent),
+          pair->has_shape ? fixed(pair->mac, 3) : "–"};
+}
+
+}  // namespace
 
 double ComparedMode::hz() const {
   return std::isfinite(measured_hz) ? measured_hz : model_hz;
@@ -88,6 +104,36 @@ Table compared_table(const std::vector<ComparedMode>& modes) {
                           style});
   }
   return table;
+}
+
+Table pair_table(const Comparison& before, const Comparison* after) {
+  Table table{{{"measured Hz", true}}, {}};
+  std::vector<const Comparison*> models{&before};
+  if (after != nullptr) models.push_back(after);
+  std::map<int, double> measured;
+  for (const Comparison* c : models) {
+    const char* which = after == nullptr ? "model Hz"
+                        : c == &before   ? "before Hz"
+                                         : "after Hz";
+    for (const char* column : {which, "error", "MAC"}) {
+      table.columns.push_back({column, true});
+    }
+    for (const ModePair& p : c->pairs) measured[p.measured] = p.measured_hz;
+  }
+  for (const auto& [mode, hz] : measured) {
+    Row row{{fixed(hz, 3)}, {}};
+    for (const Comparison* c : models) {
+      std::ranges::move(pair_cells(*c, mode), std::back_inserter(row.cells));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string mean_error_words(const Comparison& c) {
+  double sum = 0.0;
+  for (const ModePair& pair : c.pairs) sum += std::abs(pair.error_percent);
+  return fixed(sum / static_cast<double>(c.pairs.size()), 2) + " %";
 }
 
 }  // namespace tapfit::tui

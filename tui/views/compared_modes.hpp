@@ -9,6 +9,7 @@
 
 #include <limits>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace tapfit::tui {
@@ -39,6 +40,16 @@ struct ComparedMode {
 
 /// A "–" where there is no partner.
 [[nodiscard]] Table compared_table(const std::vector<ComparedMode>& modes);
+
+/// The measured modes that are paired with one of the model, or of one of two
+/// models; "–" where they are not with that one.
+/// @param after null where there is one model
+[[nodiscard]] Table pair_table(const updating::Comparison& before,
+                               const updating::Comparison* after);
+
+/// "1.23 %", the mean of the pairs' frequency errors.
+/// @pre there is a pair
+[[nodiscard]] std::string mean_error_words(const updating::Comparison& c);
 
 /// Of each measured mode, NaN where it is not known.
 [[nodiscard]] std::vector<double> measured_hz(const CompareInput& input);

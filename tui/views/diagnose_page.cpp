@@ -263,12 +263,18 @@ bool DiagnosePage::press(const Snapshot& known, Key key, Command& command) {
     return true;
   }
   if (sort_key(state_.list, table, key, command.message)) return true;
-  return press_plot(known, key);
+  return press_plot(known, key, command);
 }
 
-bool DiagnosePage::press_plot(const Snapshot& known, Key key) {
+bool DiagnosePage::press_plot(const Snapshot& known,
+                              Key key,
+                              Command& command) {
   if (key == U'f') {
     state_.all_laws = !state_.all_laws;
+    return true;
+  }
+  if (key == U'e' && !has_two_plots(known)) {
+    command.message = "of this there are only FRFs with and without it";
     return true;
   }
   if (key == U'e') {
@@ -287,25 +293,39 @@ bool DiagnosePage::press_plot(const Snapshot& known, Key key) {
       state_.range, key, span.lo, span.hi, line_spacing(*known.frfs));
 }
 
-std::vector<KeyHelp> DiagnosePage::keys() const {
-  return {{"j k", "candidate"},
-          {"a", state_.tagged.empty() ? "add it" : "add tagged"},
-          {"A", "add verdict"},
-          {"t", "tag"},
-          {"i", "notes"},
-          {"m", state_.map ? "place" : "map"},
-          {"s", "sort"},
-          {"e", state_.evidence ? "signature" : "with/without"},
-          {"f", "all laws"},
-          {"u", "undo"},
-          {"^R", "redo"},
-          {"h l", "cursor"},
-          {"< > ( )", "turn"},
-          {"+ -", "zoom"},
-          {"[ ]", "pan"},
-          {"T", "tags off"},
-          {"R", "how firm"},
-          {"/", "filter"}};
+bool DiagnosePage::has_two_plots(const Snapshot& known) const {
+  const updating::Diagnosis* d = found(known);
+  if (d == nullptr || d->candidates.empty()) return false;
+  const Table table = candidate_table(*d, {}, 80, true);
+  return has_signature(*known.bundle,
+                       known.signatures,
+                       d->candidates[settled(table, state_.list)]);
+}
+
+std::vector<KeyHelp> DiagnosePage::keys(const Snapshot& known) const {
+  std::vector<KeyHelp> keys{
+      {"j k", "candidate"},
+      {"a", state_.tagged.empty() ? "add it" : "add tagged"},
+      {"A", "add verdict"},
+      {"t", "tag"},
+      {"i", "notes"},
+      {"m", state_.map ? "place" : "map"},
+      {"s", "sort"},
+      {"e", state_.evidence ? "signature" : "with/without"},
+      {"f", "all laws"},
+      {"u", "undo"},
+      {"^R", "redo"},
+      {"h l", "cursor"},
+      {"< > ( )", "turn"},
+      {"+ -", "zoom"},
+      {"[ ]", "pan"},
+      {"T", "tags off"},
+      {"R", "how firm"},
+      {"/", "filter"}};
+  if (!has_two_plots(known)) {
+    std::erase_if(keys, [](const KeyHelp& k) { return k.key == "e"; });
+  }
+  return keys;
 }
 
 std::string DiagnosePage::help() const {

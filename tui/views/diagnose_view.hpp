@@ -39,7 +39,7 @@ class DiagnosePage final : public Page {
   bool leave_view() override;
   ListState* list() override { return &state_.list; }
   PlotRange* range() override { return &state_.range; }
-  std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:
@@ -50,7 +50,9 @@ class DiagnosePage final : public Page {
   bool acts_on_nothing(const updating::Diagnosis& d, Key key) const;
   bool press_firmness(const updating::Diagnosis& d, Key key);
   bool press_details(const updating::Diagnosis& d, const Table& table, Key key);
-  bool press_plot(const Snapshot& known, Key key);
+  bool press_plot(const Snapshot& known, Key key, Command& command);
+  /// The chosen one has a signature, and FRFs with and without it.
+  bool has_two_plots(const Snapshot& known) const;
   void press_tag(const updating::Diagnosis& d,
                  const Table& table,
                  Command& command);
@@ -59,8 +61,8 @@ class DiagnosePage final : public Page {
                   Command& command) const;
 
   DiagnoseState state_;
-};
-
   /// What the user went to, until they go elsewhere.
   std::optional<updating::EffectRef> chosen_;
+};
+
 }  // namespace tapfit::tui

@@ -298,7 +298,7 @@ bool FrfPage::press(const Snapshot& known, Key key, Command& command) {
   return range_key(state_.range, key, span.lo, span.hi, line_spacing(frfs));
 }
 
-std::vector<KeyHelp> FrfPage::keys() const {
+std::vector<KeyHelp> FrfPage::keys(const Snapshot&) const {
   if (state_.checks) {
     return {{"d", "back to FRFs"},
             {"j k", "check"},

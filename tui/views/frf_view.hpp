@@ -34,7 +34,7 @@ class FrfPage final : public Page {
   PlotRange* range() override { return &state_.range; }
   /// Shows that FRF, with the cursor there.
   void select(std::size_t frf, std::optional<double> hz = {});
-  std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:

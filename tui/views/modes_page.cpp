@@ -132,7 +132,7 @@ bool ModesPage::animate(const Snapshot&) {
   return true;
 }
 
-std::vector<KeyHelp> ModesPage::keys() const {
+std::vector<KeyHelp> ModesPage::keys(const Snapshot&) const {
   if (state_.mac) {
     return {{"j k", "mode"},
             {"h l", "model's mode"},

@@ -69,7 +69,7 @@ class ModesPage final : public Page {
   void follow(const Snapshot&, const Snapshot& now) override {
     given_ = now.bundle && now.bundle->modes;
   }
-  std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:

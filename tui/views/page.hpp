@@ -85,8 +85,6 @@ class Page {
   /// @pre as of draw()
   /// @return true when the key meant something here
   virtual bool press(const Snapshot& known, Key key, Command& command) = 0;
-  /// The same where the bundle has no model and the screen wants one.
-  virtual bool press_without_model(Key, Command&) { return false; }
   /// Goes back from what a key put in place of the screen's main view.
   /// @return false when that is what is shown
   virtual bool leave_view() { return false; }
@@ -102,11 +100,9 @@ class Page {
   virtual void follow(const Snapshot&, const Snapshot&) {}
   /// Moves what is animated by one frame; true when the screen has changed.
   virtual bool animate(const Snapshot&) { return false; }
-  /// Most useful first; the key bar shows as many as fit.
-  [[nodiscard]] virtual std::vector<KeyHelp> keys() const = 0;
-  [[nodiscard]] virtual std::vector<KeyHelp> keys_without_model() const {
-    return {};
-  }
+  /// Those that do something now, most useful first; the key bar shows as many
+  /// as fit.
+  [[nodiscard]] virtual std::vector<KeyHelp> keys(const Snapshot&) const = 0;
   /// What the screen shows and how to read it.
   [[nodiscard]] virtual std::string help() const = 0;
 };
@@ -115,11 +111,11 @@ inline bool Page::click(const Snapshot&, const Zone& zone, int x) {
   if (zone.kind == Zone::Kind::PlotX && range() != nullptr) {
     range()->cursor = zone.value_at(x);
     range()->cursor_set = true;
-    list()->nowhere = false;
     return true;
   }
   if (zone.kind == Zone::Kind::Row && list() != nullptr) {
     list()->selected = zone.index;
+    list()->nowhere = false;
     return true;
   }
   if (zone.kind == Zone::Kind::Heading && list() != nullptr) {

@@ -308,7 +308,7 @@ bool RecordingPage::animate(const Snapshot& known) {
   return true;
 }
 
-std::vector<KeyHelp> RecordingPage::keys() const {
+std::vector<KeyHelp> RecordingPage::keys(const Snapshot&) const {
   if (state_.statements) return {{"i", "back to the hits"}};
   if (state_.overview) {
     return {{"j k", "run"},

@@ -34,7 +34,7 @@ class RecordingPage final : public Page {
   }
   /// Shows that run.
   void select(std::size_t run);
-  std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:

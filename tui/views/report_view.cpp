@@ -7,6 +7,8 @@
 #include "tui/screen/line_text.hpp"
 #include "tui/screen/number.hpp"
 #include "tui/screen/text.hpp"
+#include "tui/views/compared_modes.hpp"
+#include "tui/views/modes_view.hpp"
 #include "tui/widgets/bars.hpp"
 #include "tui/widgets/heat_map.hpp"
 #include "tui/widgets/mac_map.hpp"
@@ -139,63 +141,24 @@ void write_ladder(Sheet& sheet, const ReportInput& input) {
   }
 }
 
-const ModePair* pair_of(const Comparison& c, int measured) {
-  for (const ModePair& pair : c.pairs) {
-    if (pair.measured == measured) return &pair;
-  }
-  return nullptr;
-}
-
 void write_frequencies(Sheet& sheet, const ReportInput& input) {
   const bool both = changed(input);
+  const Comparison* after = both ? &input.current : nullptr;
   sheet.heading(both ? "Frequencies and MAC, before and after"
                      : "Frequencies and MAC");
-  Table table{{{"measured Hz", true}}, {}};
-  std::vector<const Comparison*> models{&input.base};
-  if (both) models.push_back(&input.current);
-  for (const Comparison* c : models) {
-    const char* which = !both            ? "model Hz"
-                        : c == models[0] ? "before Hz"
-                                         : "after Hz";
-    for (const char* column : {which, "error", "MAC"}) {
-      table.columns.push_back({column, true});
-    }
-  }
-  std::map<int, double> measured;
-  for (const ModePair& p : input.base.pairs)
-    measured[p.measured] = p.measured_hz;
-  for (const ModePair& p : input.current.pairs) {
-    measured[p.measured] = p.measured_hz;
-  }
-  double before = 0.0;
-  double after = 0.0;
-  for (const auto& [mode, hz] : measured) {
-    std::vector<std::string> cells{fixed(hz, 3)};
-    for (const Comparison* c : models) {
-      const ModePair* p = pair_of(*c, mode);
-      cells.push_back(p != nullptr ? fixed(p->model_hz, 3) : "–");
-      cells.push_back(p != nullptr ? signed_percent_words(p->error_percent)
-                                   : "–");
-      const bool shapes = p != nullptr && p->has_shape;
-      cells.push_back(shapes ? fixed(p->mac, 3) : "–");
-    }
-    table.rows.push_back({std::move(cells), {}});
-  }
-  for (const ModePair& p : input.base.pairs)
-    before += std::abs(p.error_percent);
-  for (const ModePair& p : input.current.pairs) {
-    after += std::abs(p.error_percent);
+  const Table table = pair_table(input.base, after);
+  if (table.rows.empty()) {
+    return sheet.paragraph(
+        "No measured mode was paired with one of the model: none is near "
+        "enough in frequency and shape. 4 lists both.");
   }
   const int rows = static_cast<int>(table.rows.size()) + 1;
   draw_table(
       sheet.screen, {0, sheet.y, sheet.screen.width(), rows}, table, {}, false);
   sheet.y += rows;
   if (input.base.pairs.empty() || input.current.pairs.empty()) return;
-  const auto mean = [](double sum, const Comparison& c) {
-    return fixed(sum / static_cast<double>(c.pairs.size()), 2) + " %";
-  };
-  sheet.line("mean frequency error " + mean(before, input.base) +
-             (both ? " → " + mean(after, input.current) : ""));
+  sheet.line("mean frequency error " + mean_error_words(input.base) +
+             (both ? " → " + mean_error_words(input.current) : ""));
   for (const std::string& remark : mode_remarks(input.current)) {
     sheet.paragraph(remark, {.colour = Colour::Grey});
   }
@@ -276,6 +239,61 @@ ReportInput report_input(const Snapshot& known) {
           known.deck.get()};
 }
 
+/// Where the work ends with the modes.
+void write_modes(Sheet& sheet, const Snapshot& known) {
+  sheet.heading("Modes");
+  const Table table = mode_table(*known.modes);
+  if (table.rows.empty()) sheet.line("No mode was found.");
+  const int rows = static_cast<int>(table.rows.size()) + 1;
+  if (!table.rows.empty()) {
+    draw_table(sheet.screen,
+               {0, sheet.y, sheet.screen.width(), rows},
+               table,
+               {},
+               false);
+    sheet.y += rows;
+  }
+  sheet.heading("Model");
+  sheet.paragraph(
+      "This bundle has no model, so the work ends with the modes; a deck named "
+      "as \"model\" in test.json goes on with it.");
+}
+
+void write_warnings(Sheet& sheet, const std::vector<std::string>& warnings) {
+  if (warnings.empty()) return;
+  sheet.heading("Warnings");
+  for (const std::string& warning : warnings) {
+    sheet.paragraph(fmt::format("! {}", warning), {.colour = Colour::Yellow});
+  }
+}
+
+Screen cut_to_height(const Sheet& sheet) {
+  const Screen& whole = sheet.screen;
+  Screen cut(whole.width(), std::min(sheet.y, tallest), whole.ascii());
+  cut.place(0, 0, whole);
+  return cut;
+}
+
+Screen scrolled(const Screen& sheet, int first_row, const Canvas& canvas) {
+  Screen screen(canvas);
+  const int last = std::max(sheet.height() - canvas.height, 0);
+  screen.place(0, -std::clamp(first_row, 0, last), sheet);
+  if (first_row < last) screen.put(canvas.width - 1, canvas.height - 1, U'↓');
+  if (first_row > 0) screen.put(canvas.width - 1, 0, U'↑');
+  return screen;
+}
+
+Screen sheet_of(const Snapshot& known, Canvas canvas, int mac_column) {
+  if (known.has_model) {
+    return report_sheet(report_input(known), canvas, mac_column);
+  }
+  canvas.height = tallest;
+  Sheet sheet{Screen(canvas)};
+  write_modes(sheet, known);
+  write_warnings(sheet, all_warnings(known));
+  return cut_to_height(sheet);
+}
+
 }  // namespace
 
 Screen report_sheet(const ReportInput& input, Canvas canvas, int mac_column) {
@@ -285,48 +303,24 @@ Screen report_sheet(const ReportInput& input, Canvas canvas, int mac_column) {
   write_ladder(sheet, input);
   write_frequencies(sheet, input);
   write_macs(sheet, input, mac_column);
-  if (!input.warnings.empty()) {
-    sheet.heading("Warnings");
-    for (const std::string& warning : input.warnings) {
-      sheet.paragraph(fmt::format("! {}", warning), {.colour = Colour::Yellow});
-    }
-  }
-  Screen cut(canvas.width, std::min(sheet.y, tallest), canvas.ascii);
-  cut.place(0, 0, sheet.screen);
-  return cut;
+  write_warnings(sheet, input.warnings);
+  return cut_to_height(sheet);
 }
 
 Screen report_view(const ReportInput& input,
                    const ReportState& state,
                    const Canvas& canvas) {
-  const Screen sheet = report_sheet(input, canvas, state.mac_column);
-  const int first_row = state.first_row;
-  Screen screen(canvas);
-  const int last = std::max(sheet.height() - canvas.height, 0);
-  screen.place(0, -std::clamp(first_row, 0, last), sheet);
-  if (first_row < last) screen.put(canvas.width - 1, canvas.height - 1, U'↓');
-  if (first_row > 0) screen.put(canvas.width - 1, 0, U'↑');
-  return screen;
+  return scrolled(
+      report_sheet(input, canvas, state.mac_column), state.first_row, canvas);
 }
 
 Screen ReportPage::draw(const Snapshot& known, const Canvas& canvas) const {
-  return report_view(report_input(known), state_, canvas);
+  return scrolled(
+      sheet_of(known, canvas, state_.mac_column), state_.first_row, canvas);
 }
 
-bool ReportPage::press_without_model(Key key, Command& command) {
-  if (key != U'w' && key != U'f') return false;
-  command.kind = Command::Kind::Write;
-  command.output = key == U'w' ? Output::Report : Output::Uff;
-  return true;
-}
-
-bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
-  const int rows = report_sheet(report_input(known), {}).height();
-  if (key == keys::down || key == U'j' || key == keys::wheel_down) {
-    ++state_.first_row;
-  } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {
-    --state_.first_row;
-  } else if (key == U'h' || key == keys::left) {
+bool ReportPage::press_mac(const Snapshot& known, Key key) {
+  if (key == U'h' || key == keys::left) {
     state_.mac_column = std::max(state_.mac_column - 1, 0);
   } else if (key == U'l' || key == keys::right) {
     const auto columns = static_cast<int>(std::max(
@@ -335,11 +329,23 @@ bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
         columns - rigid_modes(known.base_comparison->modes.frequency_hz);
     state_.mac_column =
         std::clamp(state_.mac_column + 1, 0, std::max(own - 1, 0));
-  } else if (key == U'e') {
+  } else {
+    return false;
+  }
+  return true;
+}
+
+bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
+  const int rows = sheet_of(known, {}, 0).height();
+  if (key == keys::down || key == U'j' || key == keys::wheel_down) {
+    ++state_.first_row;
+  } else if (key == keys::up || key == U'k' || key == keys::wheel_up) {
+    --state_.first_row;
+  } else if (key == U'w' || key == U'f' || (key == U'e' && known.has_model)) {
     command.kind = Command::Kind::Write;
-    command.output = Output::Deck;
-  } else if (press_without_model(key, command)) {
-    return true;
+    command.output = key == U'w'   ? Output::Report
+                     : key == U'f' ? Output::Uff
+                                   : Output::Deck;
   } else if (key == keys::page_down || key == U' ') {
     state_.first_row += 10;
   } else if (key == keys::page_up) {
@@ -348,14 +354,17 @@ bool ReportPage::press(const Snapshot& known, Key key, Command& command) {
     state_.first_row = 0;
   } else if (key == keys::end || key == U'G') {
     state_.first_row = rows;
-  } else {
+  } else if (!known.has_model || !press_mac(known, key)) {
     return false;
   }
   state_.first_row = std::clamp(state_.first_row, 0, std::max(rows - 10, 0));
   return true;
 }
 
-std::vector<KeyHelp> ReportPage::keys() const {
+std::vector<KeyHelp> ReportPage::keys(const Snapshot& known) const {
+  if (!known.has_model) {
+    return {{"w", "write report"}, {"f", "write UFF"}, {"j k", "scroll"}};
+  }
   return {{"j k", "scroll"},
           {"w", "write report"},
           {"e", "deck"},
@@ -365,10 +374,6 @@ std::vector<KeyHelp> ReportPage::keys() const {
           {"g G", "top, end"},
           {"u", "undo"},
           {"^R", "redo"}};
-}
-
-std::vector<KeyHelp> ReportPage::keys_without_model() const {
-  return {{"w", "write report"}, {"f", "write UFF"}};
 }
 
 std::string ReportPage::help() const {

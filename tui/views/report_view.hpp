@@ -36,23 +36,30 @@ struct ReportState {
 class ReportPage final : public Page {
  public:
   std::string title() const override { return "Report"; }
-  bool wants_model() const override { return true; }
+  /// Without a model the modes are what there is to report.
   std::vector<Need> essential() const override {
+    if (!model_) return {{Stage::Modes}};
     return {{Stage::BaseComparison}, {Stage::Comparison}, {Stage::Ladder}};
   }
   /// The deck, to compare with.
-  std::vector<Need> welcome(const Snapshot&) const override {
+  std::vector<Need> welcome(const Snapshot& known) const override {
+    if (!known.has_model) return {};
     return {{Stage::Model}};
+  }
+  void follow(const Snapshot&, const Snapshot& now) override {
+    model_ = now.has_model;
   }
   Screen draw(const Snapshot& known, const Canvas& canvas) const override;
   bool press(const Snapshot& known, Key key, Command& command) override;
-  bool press_without_model(Key key, Command& command) override;
-  std::vector<KeyHelp> keys() const override;
-  std::vector<KeyHelp> keys_without_model() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:
+  /// Moves over the columns of the MACs. @pre with a model
+  bool press_mac(const Snapshot& known, Key key);
+
   ReportState state_;
+  bool model_ = true;  ///< the bundle has one
 };
 
 }  // namespace tapfit::tui

@@ -125,7 +125,7 @@ bool UpdatePage::animate(const Snapshot& known) {
   return true;
 }
 
-std::vector<KeyHelp> UpdatePage::keys() const {
+std::vector<KeyHelp> UpdatePage::keys(const Snapshot&) const {
   return {{"j k", "FRF"},
           {"Tab", "view"},
           {"Space", "effect off/on"},

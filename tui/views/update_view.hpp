@@ -86,7 +86,7 @@ class UpdatePage final : public Page {
     state_.effect.reset();
     state_.uncertain = false;
   }
-  std::vector<KeyHelp> keys() const override;
+  std::vector<KeyHelp> keys(const Snapshot& known) const override;
   std::string help() const override;
 
  private:

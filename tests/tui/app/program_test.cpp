@@ -251,6 +251,14 @@ TEST(Program, SaysWhyThereIsNothingWithoutAModel) {
   EXPECT_TRUE(holds(played("3\nwait", {}, options), "4Z+"));
 }
 
+TEST(Program, ReportsTheModesWithoutAModel) {
+  FakeOptions options;
+  options.model = false;
+  const std::string text = played("7\nwait", {}, options);
+  EXPECT_TRUE(holds(text, "damping %")) << text;
+  EXPECT_FALSE(holds(text, "base model")) << text;
+}
+
 TEST(Program, StopsWorkOnEscape) {
   FakeOptions options;
   options.endless_modes = true;

@@ -84,6 +84,35 @@ TEST(DiagnosePage, ComesBackToWhatWasChosenOnceItIsListed) {
   ASSERT_EQ(command.effects.size(), 1U);
   EXPECT_EQ(command.effects[0].effect, "added-mass");
 }
+
+// Of sensors there is no signature to go to and back from.
+TEST(DiagnosePage, OffersTheOtherPlotOnlyWhereThereIsOne) {
+  Snapshot known;
+  known.bundle =
+      std::make_shared<acquisition::TestBundle>(testing::fake_bundle());
+  updating::Diagnosis d = testing::fake_diagnosis();
+  d.candidates[1].where.channels = {"acc1", "acc2"};
+  known.diagnosis = std::make_shared<updating::Diagnosis>(d);
+  known.frfs = std::make_shared<signal::FrfSet>(testing::fake_frfs());
+  DiagnosePage page;
+  const auto offered = [&] {
+    const auto keys = page.keys(known);
+    const auto e = std::ranges::find(keys, "e", &KeyHelp::key);
+    return e == keys.end() ? std::string() : e->what;
+  };
+  EXPECT_EQ(offered(), "with/without");
+  Command command;
+  ASSERT_TRUE(page.press(known, Key(U'e'), command));
+  EXPECT_EQ(offered(), "signature");
+  ASSERT_TRUE(page.press(known, Key(U'e'), command));
+  ASSERT_TRUE(page.press(known, Key(U'j'), command));
+  EXPECT_EQ(offered(), "");
+  ASSERT_TRUE(page.press(known, Key(U'e'), command));
+  EXPECT_EQ(command.message, "of this there are only FRFs with and without it");
+  ASSERT_TRUE(page.press(known, Key(U'k'), command));
+  EXPECT_EQ(offered(), "with/without") << "nothing was switched";
+}
+
 TEST(DiagnosePage, GoesElsewhereFromWhatIsNotListed) {
   Snapshot last;
   last.diagnosis =
