@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <system_error>
 #include <utility>
@@ -71,15 +72,6 @@ constexpr std::array<Entry, 25> commands{{
     {Kind::Undo, "undo", "", "takes the last step back", "u", "undo"},
 }};
 
-[[noreturn]] void refuse(std::string_view word, std::string_view text) {
-  std::vector<std::string> names;
-  for (const Entry& entry : commands) names.emplace_back(entry.name);
-  throw InputError(fmt::format("no such command: {}", text),
-                   "after ':'",
-                   did_you_mean(word, names) + "there are :" +
-                       fmt::format("{}", fmt::join(names, " :")));
-}
-
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
   while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
@@ -108,14 +100,58 @@ std::vector<const Entry*> named_by(std::string_view word) {
   return begin;
 }
 
-/// Where none begins so, those that hold its letters.
+std::vector<std::string> names_of(const std::vector<const Entry*>& entries) {
+  std::vector<std::string> names;
+  for (const Entry* entry : entries) names.emplace_back(entry->name);
+  return names;
+}
+
+/// Whether a word of what it does begins so and holds the letters.
+bool tells_of(const Entry& entry, std::string_view letters) {
+  std::string word;
+  const auto is_it = [&] {
+    return letters.size() > 1 && word.starts_with(letters.front()) &&
+           has_letters(word, letters);
+  };
+  for (const char c : entry.does) {
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+      word += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      continue;
+    }
+    if (is_it()) return true;
+    word.clear();
+  }
+  return is_it();
+}
+
+/// Where none begins so, those that hold its letters; where none does, the one
+/// that is nearly called so and those that tell of it.
 std::vector<const Entry*> meant_by(std::string_view word) {
   std::vector<const Entry*> meant = named_by(word);
   if (!meant.empty()) return meant;
   for (const Entry& entry : commands) {
     if (has_letters(entry.name, word)) meant.push_back(&entry);
   }
+  if (!meant.empty()) return meant;
+  const auto near = nearest_word(word, names_of(named_by("")));
+  for (const Entry& entry : commands) {
+    if (entry.name == near || tells_of(entry, word)) meant.push_back(&entry);
+  }
   return meant;
+}
+
+[[noreturn]] void refuse(std::string_view word, std::string_view text) {
+  std::vector<const Entry*> meant;
+  if (!word.empty()) meant = meant_by(word);
+  const std::string hint = meant.empty()
+                               ? std::string()
+                               : fmt::format("did you mean :{}? ",
+                                             fmt::join(names_of(meant), ", :"));
+  throw InputError(
+      fmt::format("no such command: {}", text),
+      "after ':'",
+      fmt::format(
+          "{}there are :{}", hint, fmt::join(names_of(named_by("")), " :")));
 }
 
 const Entry& entry_of(std::string_view word, std::string_view text) {
@@ -123,11 +159,10 @@ const Entry& entry_of(std::string_view word, std::string_view text) {
   const std::vector<const Entry*> meant = named_by(word);
   if (meant.empty()) refuse(word, text);
   if (meant.size() == 1) return *meant.front();
-  std::vector<std::string_view> names;
-  for (const Entry* entry : meant) names.push_back(entry->name);
-  throw InputError(fmt::format("{} may be any of several commands", word),
-                   "after ':'",
-                   fmt::format("write one of :{}", fmt::join(names, " :")));
+  throw InputError(
+      fmt::format("{} may be any of several commands", word),
+      "after ':'",
+      fmt::format("write one of :{}", fmt::join(names_of(meant), " :")));
 }
 
 bool takes_more(const Entry& entry) {

@@ -51,9 +51,9 @@ struct ColonCommand {
 /// @throws InputError for what is none of these
 [[nodiscard]] ColonCommand parse_colon_command(std::string_view text);
 
-/// The text with the name of the one command that holds its letters ("repot"
-/// to "report"): not to be carried out before it was seen. Empty where the text
-/// names a command, or none or several hold its letters.
+/// The text with the name of the one command that may be meant as of palette()
+/// ("repot" to "report"): not to be carried out before it was seen. Empty where
+/// the text names a command, or none or several may be meant.
 [[nodiscard]] std::string guessed(std::string_view text);
 
 /// What is shown of a command while it is typed.
@@ -65,7 +65,8 @@ struct CommandWords {
 };
 
 /// The commands that the text may be going on to: those that begin so or, where
-/// none does, hold its letters in this order.
+/// none does, hold its letters in this order or, where none does, are nearly
+/// called so or tell of it in what they do.
 [[nodiscard]] std::vector<CommandWords> palette(std::string_view text);
 
 /// A key that carries out what could be typed after ':'.

@@ -97,7 +97,7 @@ constexpr std::array<CommandEntry, 21> entries{{
      report_command,
      Output | TextOnly | ByHand | Pairs},
     {"export",
-     "Write FRFs, modes and the updated deck",
+     "Write FRFs, modes, the updated deck, plots, tables and shapes (VTU)",
      export_command,
      Uff | DeckFile | Effects},
     {"doctor",

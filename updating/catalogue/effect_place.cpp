@@ -39,8 +39,8 @@ void check_grid(const effects::Effect& effect,
                        ? fmt::format("{} sits at one grid", effect.name())
                        : fmt::format("\"{}\" is no grid", parts[0]),
                    fmt::format("effect \"{}\"", text),
-                   fmt::format("write the id of one grid, for example {}@201; "
-                               "again for more",
+                   fmt::format("write the id of one grid, for example {}@201, "
+                               "and the effect once more for each other grid",
                                effect.name()));
 }
 

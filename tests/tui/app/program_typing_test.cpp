@@ -52,6 +52,19 @@ TEST(Palette, FindsCommandsByTheirLetters) {
   EXPECT_FALSE(holds(played("1\nwait\n:zzz"), "command (Tab"));
 }
 
+// By what they do, where no name is near; by a name that is misspelt.
+TEST(Palette, FindsCommandsByWhatTheyDo) {
+  const std::string writing = played("1\nwait\n:wrte");
+  for (const char* does : {"writes the report", "writes FRFs and modes"}) {
+    EXPECT_TRUE(holds(writing, does)) << writing;
+  }
+  EXPECT_FALSE(holds(writing, "no command is called so")) << writing;
+  EXPECT_TRUE(holds(played("1\nwait\n:wrte<Enter>", {300, 24}),
+                    "did you mean :deck, :plot, :report, :uff?"));
+  EXPECT_TRUE(holds(played("1\nwait\n:csv<Tab>"), "\n:plot"));
+  EXPECT_TRUE(holds(played("1\nwait\n:reprot<Tab>"), "\n:report"));
+}
+
 TEST(Program, TakesALineBackAsAShellDoes) {
   EXPECT_TRUE(holds(played(":add joint<C-u>he"), "\n:he "));
   EXPECT_TRUE(holds(played(":add joint<C-w>dash"), "\n:add dash"));
@@ -125,8 +138,9 @@ TEST(Program, CountsCompletionsThatDoNotFit) {
 }
 
 TEST(ProgramTyping, SaysWhatWasMeant) {
+  // One alone is shown before it is done.
   const std::string seen = played("wait\n:reprot<Enter>", {300, 24});
-  EXPECT_TRUE(holds(seen, "did you mean report?")) << seen;
+  EXPECT_TRUE(holds(seen, "\n:report")) << seen;
 }
 
 }  // namespace

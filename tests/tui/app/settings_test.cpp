@@ -102,7 +102,7 @@ TEST_F(SettingsFile, SaysWhatIsAllowedAndKeepsTheRest) {
   EXPECT_TRUE(holds(told, "keys: q is always what it is")) << told;
   EXPECT_TRUE(holds(told, "keys: <F99> is no key")) << told;
   EXPECT_TRUE(holds(told, "keys: F ")) << told;
-  EXPECT_TRUE(holds(told, "did you mean report?")) << told;
+  EXPECT_TRUE(holds(told, "did you mean :report?")) << told;
   EXPECT_TRUE(holds(told, "keys: G needs a command")) << told;
   const Settings settings = read(text);
   EXPECT_EQ(settings.theme, Theme::Default);
