@@ -91,9 +91,10 @@ std::vector<std::string> time_texts(const WorkerStatus& status) {
       std::chrono::duration<double>(now - status.since).count();
   if (spent_s < 3.0) return {""};
   const std::string spent = ", " + seconds_text(spent_s) + " elapsed";
-  const auto left_s = stage_left_s(status, now);
+  const auto left_s = part_left_s(status, now);
   if (!left_s || *left_s < 1.0) return {spent};
   const std::string left = ", about " + seconds_text(*left_s) + " left";
+  if (!status.in_parts) return {spent + left, spent};
   return {spent + left + " of this step", spent + left, spent};
 }
 

@@ -222,13 +222,13 @@ Job make(const Need& need) {
           need};
 }
 
-std::optional<double> stage_left_s(const WorkerStatus& status,
-                                   std::chrono::steady_clock::time_point now) {
+std::optional<double> part_left_s(const WorkerStatus& status,
+                                  std::chrono::steady_clock::time_point now) {
   constexpr double least_s = 3.0;
   constexpr double least_done = 0.05;
   const double spent_s =
-      std::chrono::duration<double>(now - status.stage_since).count();
-  const double done = status.fraction - status.stage_from;
+      std::chrono::duration<double>(now - status.part_since).count();
+  const double done = status.fraction - status.part_from;
   if (spent_s < least_s || done < least_done) return std::nullopt;
   return spent_s * (1.0 - status.fraction) / done;
 }
@@ -279,9 +279,11 @@ void Worker::report(std::string_view stage, double fraction) {
       std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
   const bool other = status_.stage != stage;
   if (!status_.stage.empty() && other) note_done(status_.done, status_.stage);
-  if (other || far < status_.fraction) {
-    status_.stage_since = std::chrono::steady_clock::now();
-    status_.stage_from = far;
+  const bool anew = far < status_.fraction || (other && far == 0.0);
+  if (anew || status_.stage.empty()) {
+    status_.in_parts |= status_.fraction > 0.0;
+    status_.part_since = std::chrono::steady_clock::now();
+    status_.part_from = far;
   }
   status_.stage = stage;
   status_.fraction = far;

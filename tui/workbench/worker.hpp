@@ -50,14 +50,16 @@ struct WorkerStatus {
   std::shared_ptr<const updating::LiveFit> live = {};  ///< after the last step
   /// Of a diagnosis: what it has tried so far; no verdict.
   std::shared_ptr<const updating::Diagnosis> tried = {};
-  /// When the stage was first reported, and how far it was then.
-  std::chrono::steady_clock::time_point stage_since{};
-  double stage_from = 0.0;
+  /// When what the share is of was begun, and how far it was then: stages that
+  /// go on from each other's share are one piece of work.
+  std::chrono::steady_clock::time_point part_since{};
+  double part_from = 0.0;
+  bool in_parts = false;  ///< one came before this one
 };
 
-/// Seconds until the stage ends, if it goes on as fast as so far; empty while
+/// Seconds until that part ends, if it goes on as fast as so far; empty while
 /// it has hardly begun.
-[[nodiscard]] std::optional<double> stage_left_s(
+[[nodiscard]] std::optional<double> part_left_s(
     const WorkerStatus& status, std::chrono::steady_clock::time_point now);
 
 class Worker {

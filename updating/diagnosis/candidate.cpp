@@ -20,6 +20,9 @@ Candidate candidate_of(const Fit& fit, const effects::TestContext& context) {
 
 Diagnosis with_tried(const Diagnosis* before, const Candidate& candidate) {
   Diagnosis d = before != nullptr ? *before : Diagnosis{};
+  std::erase_if(d.candidates, [&candidate](const Candidate& known) {
+    return known.effect == candidate.effect && known.where == candidate.where;
+  });
   const auto next = std::ranges::upper_bound(
       d.candidates, candidate.error, {}, &Candidate::error);
   d.candidates.insert(next, candidate);

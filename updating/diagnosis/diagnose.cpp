@@ -128,13 +128,14 @@ Climbed climbed(const Fitter& fitter,
                 const DiagnoseOptions& options,
                 const Progress& progress) {
   StepwiseSelection selection(
-      fitter, present, options, part_of(progress, 0.0, 0.05));
+      fitter, present, options, part_of(progress, 0.0, 0.04));
   Diagnosis result;
   result.floor = options.floor;
   result.contour = options.contour;
   result.warnings = fitter.problem().measured.statements;
   result.error_base =
-      fitter.settled(selection.current(), progress).result.error;
+      fitter.settled(selection.current(), part_of(progress, 0.04, 0.05))
+          .result.error;
   result.error_fitted = result.error_base;
   // Whether another rung follows is not known: each gets a good part of what is
   // left, the first, which looks deepest, the most of all.
@@ -147,7 +148,8 @@ Climbed climbed(const Fitter& fitter,
     done = next;
   }
   selection.settle();
-  const Fit found = fitter.settled(selection.current(), progress);
+  const Fit found =
+      fitter.settled(selection.current(), part_of(progress, done, 0.95));
   result.error_best = found.result.error;
   const double data = independent_data(fitter.target(), found.result.residual);
   const FormShare form =

@@ -32,8 +32,8 @@ struct IterationSummary {
 struct FitObserver : Observer {
   std::function<void(const IterationSummary& summary)> step;
   std::function<bool()> enough;  ///< true: end now, keep what is reached
-  /// Of a diagnosis what its first look has fitted to the end: one at a time,
-  /// from any thread.
+  /// Of a diagnosis what its first look has fitted nearly to the end, and again
+  /// what of it to the end: one at a time, from any thread.
   std::function<void(const Candidate& candidate)> tried;
 };
 

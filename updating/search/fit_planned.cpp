@@ -39,10 +39,17 @@ std::vector<std::vector<Hypothesis>> fit_planned(
     approached[k].resize(tries);
     for (std::size_t t = 0; t < tries; ++t) all.emplace_back(k, t);
   }
+  std::mutex one_at_a_time;
+  const auto tell = [&](const Fit& fit) {
+    if (!options.tried) return;
+    const std::lock_guard lock(one_at_a_time);
+    options.tried(fit);
+  };
   const auto begin = [&](std::size_t n, const Progress& quiet) {
     const auto [k, t] = all[n];
     approached[k][t] = approach_one(
         current, plans[k].tries[t], fitter, plans[k].shared, reach, quiet);
+    if (approached[k][t]) tell(approached[k][t]->fit);
   };
   work_on_each(all.size(), part_of(progress, 0.0, 0.6), begin);
   std::vector<std::vector<Hypothesis>> found;
@@ -63,12 +70,9 @@ std::vector<std::vector<Hypothesis>> fit_planned(
   std::ranges::sort(left, std::greater{}, [](const Hypothesis* h) {
     return h->fit.log_likelihood;
   });
-  std::mutex one_at_a_time;
   const auto end = [&](std::size_t n, const Progress& quiet) {
     *left[n] = arrive(std::move(*left[n]), fitter, reach, quiet);
-    if (!options.tried) return;
-    const std::lock_guard lock(one_at_a_time);
-    options.tried(left[n]->fit);
+    tell(left[n]->fit);
   };
   work_on_each(left.size(), part_of(progress, 0.6, 1.0), end);
   for (const Hypothesis* h : left) reach.take(*h);

@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <thread>
+#include <utility>
+#include <vector>
 
 namespace tapfit::tui {
 namespace {
@@ -33,15 +35,39 @@ TEST(Worker, HandsOverTheBundleAtOnce) {
 TEST(Worker, TellsHowLongAStageWillTake) {
   using std::chrono::seconds;
   WorkerStatus status;
-  status.stage_since = std::chrono::steady_clock::now();
-  status.stage_from = 0.1;
+  status.part_since = std::chrono::steady_clock::now();
+  status.part_from = 0.1;
   status.fraction = 0.4;
-  const auto left = stage_left_s(status, status.stage_since + seconds(6));
+  const auto left = part_left_s(status, status.part_since + seconds(6));
   ASSERT_TRUE(left.has_value());
   EXPECT_NEAR(*left, 12.0, 1e-9);
-  EXPECT_FALSE(stage_left_s(status, status.stage_since + seconds(1)));
+  EXPECT_FALSE(part_left_s(status, status.part_since + seconds(1)));
   status.fraction = 0.12;
-  EXPECT_FALSE(stage_left_s(status, status.stage_since + seconds(6)));
+  EXPECT_FALSE(part_left_s(status, status.part_since + seconds(6)));
+}
+
+// A stage that goes on from the share before is of the same work.
+TEST(Worker, KnowsWhatItsShareIsOf) {
+  Worker worker(testing::fake_workbench());
+  (void)worker.take_finished();
+  std::vector<WorkerStatus> seen;
+  Job job;
+  job.run = [&](Workbench&, Snapshot&, const Progress& progress) {
+    for (const auto& [stage, far] : std::vector<std::pair<const char*, double>>{
+             {"screening", 0.1}, {"fitting", 0.4}, {"ladder", 0.0}}) {
+      progress(stage, far);
+      seen.push_back(worker.status());
+    }
+    return std::string();
+  };
+  worker.start(std::move(job));
+  ASSERT_TRUE(wait_for(worker).has_value());
+  ASSERT_EQ(seen.size(), 3U);
+  EXPECT_EQ(seen[1].part_from, 0.1);
+  EXPECT_EQ(seen[1].part_since, seen[0].part_since);
+  EXPECT_FALSE(seen[1].in_parts);
+  EXPECT_EQ(seen[2].part_from, 0.0);
+  EXPECT_TRUE(seen[2].in_parts);
 }
 
 TEST(Worker, MakesAResult) {
