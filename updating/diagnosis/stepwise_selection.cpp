@@ -1,5 +1,6 @@
 #include "updating/diagnosis/stepwise_selection.hpp"
 
+#include "acquisition/foundation/parallel.hpp"
 #include "updating/diagnosis/candidate.hpp"
 #include "updating/diagnosis/classify_diagnosis.hpp"
 #include "updating/diagnosis/evidence.hpp"
@@ -16,22 +17,28 @@
 namespace tapfit::updating {
 namespace {
 
+// Their errors are to be told, beside that of the model with and without them.
 std::vector<Candidate> candidates_of(const CandidateRanking& round,
-                                     const effects::TestContext& context) {
-  std::vector<Candidate> result;
-  std::map<std::string, int> shown;
+                                     const Fitter& fitter,
+                                     const Progress& progress) {
+  std::vector<std::size_t> shown;
+  std::map<std::string, int> of_kind;
   for (std::size_t k = 0; k < round.hypotheses.size(); ++k) {
-    const Hypothesis& h = round.hypotheses[k];
-    const std::string kind = h.own().effect->name();
     // A long list of neighbours says nothing new.
-    if (++shown[kind] > 3) continue;
-    Fit fit = h.fit;
-    fit.result.state.effects.back().place_sd = place_sd(round, k);
-    Candidate c = candidate_of(fit, context);
-    c.probability = round.probability[k + 1];
-    c.indistinguishable_from = indistinguishable(round, k);
-    result.push_back(std::move(c));
+    if (++of_kind[round.hypotheses[k].own().effect->name()] <= 3) {
+      shown.push_back(k);
+    }
   }
+  std::vector<Candidate> result(shown.size());
+  const Progress quiet{{}, progress.stop};
+  for_each_parallel(shown.size(), [&](std::size_t n) {
+    const std::size_t k = shown[n];
+    Fit fit = fitter.settled(round.hypotheses[k].fit, quiet);
+    fit.result.state.effects.back().place_sd = place_sd(round, k);
+    result[n] = candidate_of(fit, fitter.problem().context);
+    result[n].probability = round.probability[k + 1];
+    result[n].indistinguishable_from = indistinguishable(round, k);
+  });
   return result;
 }
 
@@ -122,7 +129,7 @@ bool StepwiseSelection::try_to_add(bool first,
     round = search_.with_forms(std::move(round), stand_.fit, progress);
   }
   const Progress rest = part_of(progress, 0.75, 1.0);
-  if (first) candidates_ = candidates_of(round, fitter_->problem().context);
+  if (first) candidates_ = candidates_of(round, *fitter_, rest);
   if (round.hypotheses.empty()) return false;
   stand_.passed_over = strongest_of(round, 0);
   if (is_explained(stand_.fit.result.error, floor())) return false;

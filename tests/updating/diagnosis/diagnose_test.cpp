@@ -58,5 +58,28 @@ TEST_F(DiagnoseTest, SaysHowFarTheWholeIs) {
   EXPECT_GT(tried, 0U);
   EXPECT_GT(tried_before, 0U);
 }
+
+// A candidate's error is what the model is left with once it is added.
+TEST_F(DiagnoseTest, TellsErrorsOfFitsThatHaveSettled) {
+  hide({at("ground-spring", 31, 3000.0), at("added-mass", 14, 0.003)});
+  DiagnoseOptions options;
+  options.floor = options.floor_noise = 1e-4;
+  options.max_rungs = 1;
+  const Diagnosis d = diagnose(*fitter_, {}, options, {});
+  ASSERT_FALSE(d.candidates.empty());
+  // Fits of others may end in another minimum.
+  int compared = 0;
+  for (const Candidate& c : d.candidates) {
+    if (c.where.node == 0 || !c.where.channels.empty()) continue;
+    ++compared;
+    const EffectInstance own{&effects::find(c.effect), c.where, c.sizes};
+    const Fit again =
+        fitter_->settled(fitter_->fit({own}, fitter_->model_for({own})), {});
+    EXPECT_NEAR(c.error / again.result.error, 1.0, 2e-3)
+        << effect_text(c.effect, c.where);
+  }
+  EXPECT_GT(compared, 3);
+}
+
 }  // namespace
 }  // namespace tapfit::updating
