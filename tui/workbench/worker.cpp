@@ -179,6 +179,8 @@ void make_result(Workbench& bench,
     case Stage::Comparison:
       known.comparison = shared(bench.comparison(progress));
       take_known_diagnoses(bench, known, progress);
+      // Whose floor may be lower by what they found.
+      known.comparison = shared(bench.comparison(progress));
       return;
     case Stage::Ladder:
       known.ladder = shared(bench.ladder(progress));

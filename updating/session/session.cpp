@@ -38,6 +38,7 @@ Session Session::beside() const {
   stages->choice = stages_->choice;
   stages->diagnosis = stages_->diagnosis;
   stages->form_error = stages_->form_error;
+  stages->put_right = stages_->put_right;
   return Session(std::move(stages));
 }
 
@@ -83,9 +84,7 @@ const Comparison& Session::comparison(const Progress& progress) {
   if (!stages_->comparison) {
     stages_->prepare_fit(progress);
     stages_->comparison = stages_->compare_now(stages_->current());
-    if (stages_->form_error) {
-      limit_form(*stages_->comparison, *stages_->form_error);
-    }
+    stages_->limit_floor(*stages_->comparison, progress);
   }
   return *stages_->comparison;
 }
@@ -103,7 +102,7 @@ const Diagnosis& Session::diagnosis(const Progress& progress) {
                              model_warnings(progress),
                              progress);
       });
-  stages_->take_form(*stages_->diagnosis);
+  stages_->take_floor(*stages_->diagnosis, progress);
   return *stages_->diagnosis;
 }
 
@@ -127,7 +126,7 @@ std::optional<Diagnosis> Session::known_diagnosis(std::size_t effects,
                                                   const Progress& progress) {
   stages_->prepare_fit(progress);
   std::optional<Diagnosis> known = stages_->diagnosis_cache(effects).load();
-  if (known) stages_->take_form(*known);
+  if (known) stages_->take_floor(*known, progress);
   return known;
 }
 

@@ -3,6 +3,7 @@
 #include "updating/comparison/compare.hpp"
 #include "updating/comparison/form_share.hpp"
 #include "updating/diagnosis/likeliest_fit.hpp"
+#include "updating/diagnosis/test_diagnosis.hpp"
 #include "updating/measurement/test_model.hpp"
 #include "updating/residual/independent_data.hpp"
 
@@ -137,9 +138,21 @@ Comparison SessionStages::compare_now(const Fit& fit) {
   return c;
 }
 
-void SessionStages::take_form(const Diagnosis& of) {
+void SessionStages::take_floor(const Diagnosis& of, const Progress& progress) {
   form_error = std::min(form_error.value_or(of.form_error), of.form_error);
-  if (comparison) limit_form(*comparison, *form_error);
+  auto corrections = cut_at_deck(of, context()).corrections;
+  if (!corrections.empty()) put_right = std::move(corrections);
+  if (comparison) limit_floor(*comparison, progress);
+}
+
+void SessionStages::limit_floor(Comparison& now, const Progress& progress) {
+  // A deck that is known to be wrong has the floor of another structure.
+  if (!put_right.empty() && deck_corrections(current().effects).empty()) {
+    const FitContext& right = ground_of(put_right, progress);
+    now.floor_noise = right.floor_noise;
+    now.floor_mesh = right.floor_mesh;
+  }
+  if (form_error) limit_form(now, *form_error);
 }
 
 void SessionStages::drop_current() {
@@ -158,6 +171,7 @@ void SessionStages::drop_from_frfs() {
   plain.reset();
   base_comparison.reset();
   form_error.reset();
+  put_right.clear();
   drop_current();
 }
 

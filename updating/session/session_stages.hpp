@@ -48,6 +48,8 @@ struct SessionStages {
   std::optional<Diagnosis> diagnosis;
   /// Of the deck's form, the least that a diagnosis of this test leaves it.
   std::optional<double> form_error;
+  /// Of the deck, as a diagnosis of this test put it right; empty: it is right.
+  std::vector<EffectInstance> put_right;
   std::vector<Rung> ladder;
   std::optional<Fit> likeliest;
   std::optional<TriedStack> tried;
@@ -57,8 +59,11 @@ struct SessionStages {
   /// Model, damped lines and the base fit; all that does not depend on effects.
   void prepare_fit(const Progress& progress);
 
-  /// What a diagnosis that was asked for says of the deck's form.
-  void take_form(const Diagnosis& of);
+  /// What a diagnosis that was asked for says of the floor: how much the deck's
+  /// form explains at most, and whether it is the floor of another deck.
+  void take_floor(const Diagnosis& of, const Progress& progress);
+  /// Of the current model, by what diagnoses said of it.
+  void limit_floor(Comparison& current, const Progress& progress);
   /// Drops what follows from the FRFs; the effects wait to be put in again.
   void drop_from_frfs();
   /// Drops what follows from the effects.

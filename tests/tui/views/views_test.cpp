@@ -306,6 +306,17 @@ TEST(ReportView, TellsOfAnUnchangedModelWhatItIs) {
   EXPECT_TRUE(holds(s, "model Hz")) << s.to_text();
 }
 
+TEST(ReportView, SaysWhereNoPairWasMade) {
+  updating::Comparison c = testing::fake_comparison(0.05);
+  c.pairs.clear();
+  const ReportInput input{
+      c, c, {{updating::base_rung, {}, 0.388, {}}}, {}, {}, {}};
+  const Screen s = report_sheet(input, {100, 0});
+  EXPECT_TRUE(holds(s, "No measured mode was paired with one of the model"))
+      << s.to_text();
+  EXPECT_FALSE(holds(s, "model Hz")) << s.to_text();
+}
+
 TEST(ReportView, ComparesWhatWasIdentifiedWithTheDeck) {
   const updating::Comparison c = testing::fake_comparison(0.05);
   acquisition::TestBundle bundle = testing::fake_bundle();

@@ -75,6 +75,18 @@ TEST_F(CorrectedDeck, IsNamedAddedAndTakenBack) {
   EXPECT_EQ(session.ladder().front().error, session.ladder().back().error);
 }
 
+// The deck as written has the floor of another structure, before the number is
+// put right as well.
+TEST_F(CorrectedDeck, HasTheFloorOfTheDeckPutRight) {
+  Session session(folder_.path());
+  const double as_written = session.comparison().floor;
+  const Diagnosis d = session.diagnosis();
+  EXPECT_GT(as_written, 1.2 * d.floor);
+  EXPECT_NEAR(session.comparison().floor, d.floor, 1e-3 * d.floor);
+  add_ladder(session, d, {});
+  EXPECT_NEAR(session.comparison().floor, d.floor, 0.1 * d.floor);
+}
+
 TEST_F(CorrectedDeck, TakesWhatIsMissingBesides) {
   Session session(folder_.path());
   session.fit_uncertain();
