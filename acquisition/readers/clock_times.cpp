@@ -1,7 +1,6 @@
 #include "acquisition/readers/clock_times.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <string>
 #include <vector>
@@ -26,7 +25,7 @@ std::optional<double> time_part(std::string_view text, double below) {
   return value;
 }
 
-// "Z", "+01:00" and the like, AM and PM taken off; the hours that PM adds.
+// "Z", "+01:00" and the like, AM and PM taken off.
 struct Ending {
   std::string_view time;
   std::optional<bool> afternoon = {};
@@ -60,6 +59,42 @@ std::vector<std::string_view> between_colons(std::string_view text) {
   return parts;
 }
 
+// What stands behind a date; empty where something else stands there.
+std::optional<std::string_view> without_date(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return std::nullopt;
+  const std::size_t date = text.find_last_of(" T", colon);
+  if (date == std::string_view::npos) return text;
+  std::string_view before = text.substr(0, date);
+  while (before.ends_with(' ')) before.remove_suffix(1);
+  if (!before.empty() && !is_date(before)) return std::nullopt;
+  return text.substr(date + 1);
+}
+
+bool is_count_below(std::string_view part, int end) {
+  if (part.empty() || part.size() > 2) return false;
+  if (!std::ranges::all_of(part, is_digit_of_time)) return false;
+  return std::stoi(std::string(part)) < end;
+}
+
+// Hours, minutes and seconds, or minutes and seconds with a fraction: 12:30 is
+// no sample's time.
+std::optional<double> seconds_of_parts(
+    const std::vector<std::string_view>& parts) {
+  const bool hours = parts.size() == 3;
+  const bool fraction =
+      parts.back().find_first_of(".,") != std::string_view::npos;
+  if (!hours && (parts.size() != 2 || !fraction)) return std::nullopt;
+  // 60 in a second that was put in.
+  const std::optional<double> seconds = time_part(parts.back(), 61.0);
+  const std::string_view minutes = parts[parts.size() - 2];
+  if (!seconds || !is_count_below(minutes, 60)) return std::nullopt;
+  double sum = *seconds + 60.0 * std::stoi(std::string(minutes));
+  if (!hours) return sum;
+  if (!is_count_below(parts[0], 25)) return std::nullopt;
+  return sum + 3600.0 * std::stoi(std::string(parts[0]));
+}
+
 }  // namespace
 
 bool is_date(std::string_view text) {
@@ -78,40 +113,16 @@ bool is_date(std::string_view text) {
 }
 
 std::optional<double> seconds_of_day(std::string_view text) {
-  const std::size_t colon = text.find(':');
-  if (colon == std::string_view::npos) return std::nullopt;
-  const std::size_t date = text.find_last_of(" T", colon);
-  if (date != std::string_view::npos) {
-    std::string_view before = text.substr(0, date);
-    while (before.ends_with(' ')) before.remove_suffix(1);
-    if (!before.empty() && !is_date(before)) return std::nullopt;
-    text = text.substr(date + 1);
-  }
-  const Ending ending = without_ending(text);
+  const auto time = without_date(text);
+  if (!time) return std::nullopt;
+  const Ending ending = without_ending(*time);
   const std::vector<std::string_view> parts = between_colons(ending.time);
   const bool hours = parts.size() == 3;
-  // Minutes and seconds alone have a fraction: 12:30 is no sample's time.
-  const bool fraction =
-      parts.back().find_first_of(".,") != std::string_view::npos;
-  if (!hours && (parts.size() != 2 || !fraction)) return std::nullopt;
-  double seconds = 0.0;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const bool last = k + 1 == parts.size();
-    if (!last && (parts[k].size() > 2 ||
-                  !std::ranges::all_of(parts[k], is_digit_of_time))) {
-      return std::nullopt;
-    }
-    // 60 in a second that was put in.
-    const auto part =
-        time_part(parts[k], last ? 61.0 : (hours && k == 0 ? 25.0 : 60.0));
-    if (!part) return std::nullopt;
-    seconds = 60.0 * seconds + *part;
-  }
+  std::optional<double> seconds = seconds_of_parts(parts);
+  if (!seconds || !ending.afternoon || !hours) return seconds;
   constexpr double half_day = 43200.0;
-  if (ending.afternoon && hours) {
-    if (seconds >= half_day) seconds -= half_day;
-    if (*ending.afternoon) seconds += half_day;
-  }
+  if (*seconds >= half_day) *seconds -= half_day;
+  if (*ending.afternoon) *seconds += half_day;
   return seconds;
 }
 
