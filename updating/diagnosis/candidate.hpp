@@ -11,8 +11,8 @@ namespace tapfit::updating {
 [[nodiscard]] Candidate candidate_of(const Fit& fit,
                                      const effects::TestContext& context);
 
-/// What was tried so far, the least error first, with no verdict; what was tried
-/// before takes the place of itself.
+/// What was tried so far, the least error first, with no verdict; what was
+/// tried before takes the place of itself.
 /// @param before of the same search; may be null
 [[nodiscard]] Diagnosis with_tried(const Diagnosis* before,
                                    const Candidate& candidate);

@@ -27,8 +27,8 @@ struct HypothesisOptions {
   const Fit* rival = nullptr;
   /// The best of each kind is fitted to the end whether it comes near or not.
   bool best_of_each = true;
-  /// Told of each that was fitted nearly to the end, and again of what was to the
-  /// end, one at a time; or empty.
+  /// Told of each that was fitted nearly to the end, and again of what was to
+  /// the end, one at a time; or empty.
   std::function<void(const Fit& fit)> tried = {};
 };
 

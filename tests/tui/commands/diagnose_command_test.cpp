@@ -71,8 +71,7 @@ TEST(DiagnoseCommand, CountsLookAlikesByKind) {
     return at == std::string::npos ? text
                                    : text.substr(at, text.find('\n', at) - at);
   };
-  EXPECT_EQ(row(),
-            "or support-mismatch at 40 places, sensor-mass at acc1");
+  EXPECT_EQ(row(), "or support-mismatch at 40 places, sensor-mass at acc1");
   alike.push_back({"joint", at_node(1)});
   alike.push_back({"joint", at_node(2)});
   alike.push_back({"dashpot", at_node(2)});
