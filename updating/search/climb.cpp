@@ -77,7 +77,7 @@ void look_elsewhere(std::vector<Hypothesis>& found,
   constexpr int most_turns = 4;
   constexpr std::size_t places_a_turn = 4;
   // Times the least screened error: what a fit may mend of it.
-  constexpr double may_be_better = 2.0;
+  constexpr double may_be_better = 1.3;
   const structure::Deck& deck = *fitter.problem().context.deck;
   for (int turn = 0; turn < most_turns; ++turn) {
     const Hypothesis best = *std::ranges::min_element(found, is_likelier);
