@@ -14,7 +14,7 @@
 namespace tapfit::updating {
 namespace {
 
-class DiagnoseTest : public support::HiddenInPlate {
+class DiagnoseHidden : public support::HiddenInPlate {
  protected:
   static EffectInstance at(const std::string& kind, int grid, double p) {
     Location where;
@@ -25,7 +25,7 @@ class DiagnoseTest : public support::HiddenInPlate {
 
 // With an effect in the model its fit is settled first, which is no part of the
 // search; half of it is to come when the first effects are fitted.
-TEST_F(DiagnoseTest, SaysHowFarTheWholeIs) {
+TEST_F(DiagnoseHidden, SaysHowFarTheWholeIs) {
   hide({at("ground-spring", 31, 3000.0)});
   std::vector<std::pair<std::string, double>> reports;
   std::mutex one_at_a_time;
@@ -60,7 +60,7 @@ TEST_F(DiagnoseTest, SaysHowFarTheWholeIs) {
 }
 
 // A candidate's error is what the model is left with once it is added.
-TEST_F(DiagnoseTest, TellsErrorsOfFitsThatHaveSettled) {
+TEST_F(DiagnoseHidden, TellsErrorsOfFitsThatHaveSettled) {
   hide({at("ground-spring", 31, 3000.0), at("added-mass", 14, 0.003)});
   DiagnoseOptions options;
   options.floor = options.floor_noise = 1e-4;

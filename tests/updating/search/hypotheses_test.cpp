@@ -46,7 +46,8 @@ class Hidden : public support::HiddenInPlate {
   }
 };
 
-// Who looks on is told of fits that have ended, the likeliest first.
+// Who looks on is told of fits that are nearly there, then of those that have
+// ended, the likeliest first.
 TEST_F(Hidden, IsToldAsItIsTried) {
   Location where;
   where.node = 25;
@@ -64,9 +65,9 @@ TEST_F(Hidden, IsToldAsItIsTried) {
   for_each_parallel(2, [&](std::size_t piece) {
     if (piece == 0) all = fit_hypotheses(base, *fitter_, options, {}).size();
   });
-  EXPECT_EQ(told.size(), all);
-  ASSERT_GT(told.size(), 2U);
-  EXPECT_EQ(told[0], "added-mass");
+  ASSERT_GT(all, 2U);
+  ASSERT_GE(told.size(), 2 * all);
+  EXPECT_EQ(told[told.size() - all], "added-mass");
 }
 
 TEST_F(Hidden, LossFarFromSmallIsFoundAtItsOwnPatch) {
