@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,26 @@ std::vector<CardSlip> worth_a_base(const std::vector<CardSlip>& likely,
   return best;
 }
 
+// The one that leaves least, if it is.
+// @param tried how many were: each could have been found
+std::optional<SetUpMistake> far_likelier(const SlipFits& fits,
+                                         std::size_t tried) {
+  const auto best = std::ranges::min_element(fits.slips, {}, &SlipFit::error);
+  if (best == fits.slips.end()) return std::nullopt;
+  const double gain = best->log_likelihood - fits.plain.log_likelihood -
+                      std::log(static_cast<double>(tried));
+  const bool less = best->error < worth_it * fits.plain.error;
+  if (!less || gain < very_strong) return std::nullopt;
+  Location where;
+  where.elements = best->elements;
+  where.variant = best->kind;
+  return SetUpMistake{effects::card_swap().name(),
+                      std::move(where),
+                      1.0 / (1.0 + std::exp(-gain)),
+                      best->error,
+                      best->edit};
+}
+
 // By one effect, or by none.
 double least_error(const Diagnosis& found) {
   double least = found.error_fitted;
@@ -56,32 +77,21 @@ bool may_be_slip(const Fit& plain, const Fitter& fitter) {
 
 std::optional<SetUpMistake> likely_slip(const Fitter& fitter,
                                         const Progress& progress) {
-  std::vector<CardSlip> likely = card_slips(*fitter.problem().context.deck);
-  // A number out of scale first: of such a deck nothing else is told.
-  const auto others =
-      std::ranges::stable_partition(likely, &CardSlip::from_other_unit).begin();
-  const bool out_of_scale = others != likely.begin();
-  if (out_of_scale) likely.erase(others, likely.end());
-  likely.resize(std::min(most_slips, likely.size()));
-  const SlipFits fits =
-      fit_slips(fitter,
-                out_of_scale ? likely : worth_a_base(likely, fitter, progress),
-                progress);
-  const auto best = std::ranges::min_element(fits.slips, {}, &SlipFit::error);
-  if (best == fits.slips.end()) return std::nullopt;
-  // Each that was tried could have been found.
-  const double gain = best->log_likelihood - fits.plain.log_likelihood -
-                      std::log(static_cast<double>(likely.size()));
-  const bool less = best->error < worth_it * fits.plain.error;
-  if (!less || gain < very_strong) return std::nullopt;
-  Location where;
-  where.elements = best->elements;
-  where.variant = best->kind;
-  return SetUpMistake{effects::card_swap().name(),
-                      std::move(where),
-                      1.0 / (1.0 + std::exp(-gain)),
-                      best->error,
-                      best->edit};
+  std::vector<CardSlip> others = card_slips(*fitter.problem().context.deck);
+  // A number out of scale first: what else such a deck says wrongly its vectors
+  // do not tell.
+  std::vector<CardSlip> units;
+  std::ranges::copy_if(
+      others, std::back_inserter(units), &CardSlip::from_other_unit);
+  std::erase_if(others, &CardSlip::from_other_unit);
+  for (std::vector<CardSlip>* slips : {&units, &others}) {
+    slips->resize(std::min(most_slips, slips->size()));
+    const std::size_t tried = slips->size();
+    if (slips == &others) *slips = worth_a_base(others, fitter, progress);
+    const SlipFits fits = fit_slips(fitter, *slips, progress);
+    if (auto slip = far_likelier(fits, tried)) return slip;
+  }
+  return std::nullopt;
 }
 
 bool is_out_of_scale(const SetUpMistake& slip, const structure::Deck& deck) {

@@ -18,8 +18,8 @@ namespace tapfit::updating {
 
 /// The likeliest of the deck's slips (card_slips.hpp): all through the deck's
 /// own base, and the best two, where they leave clearly less than the deck as
-/// it is, in bases of their own. Where numbers are out of scale only those are
-/// put right, each unit in a base of its own.
+/// it is, in bases of their own. Numbers that are out of scale come before the
+/// others, each unit in a base of its own.
 /// @param fitter of a deck without effects
 /// @return the one that leaves least, where it is far likelier than the deck as
 ///   it is and leaves clearly less
