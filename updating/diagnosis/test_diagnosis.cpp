@@ -110,13 +110,14 @@ std::optional<Diagnosis> put_right_at_once(const SetUpMistake& slip,
   const double floor = options_of_test(right->ground).floor;
   const double left =
       fitter.settled(fitter.arrive(plain, first), first).result.error;
-  const Fitter& there = *right->ground.fitter;
   // What its split mesh says of the deck put right goes with it.
-  const double mended =
-      there.settled(there.fit({}, there.model_for({}), first), first)
-          .result.error;
+  const auto mended = [&] {
+    const Fitter& there = *right->ground.fitter;
+    return there.settled(there.fit({}, there.model_for({}), first), first)
+        .result.error;
+  };
   if (!is_out_of_scale(slip, *test.context.deck) &&
-      !explains_all(mended, left, floor)) {
+      !explains_all(mended(), left, floor)) {
     DiagnoseOptions one = options;
     one.max_rungs = 1;
     const Diagnosis d = diagnose(fitter, {}, one, part_of(progress, 0.1, 0.5));
