@@ -53,7 +53,7 @@ std::vector<std::string> warnings_of(const Prediction& prediction,
     if (mode.mac < own_shape) {
       warnings.push_back(
           fmt::format("the mode at {:.6g} Hz changes its shape (MAC {:.2f}): "
-                      "what it becomes is the mode likest to it",
+                      "what it becomes is the likest that the change allows",
                       mode.model_hz,
                       mode.mac));
     }

@@ -38,6 +38,32 @@ MatrixXd with_own(const BaseModes& modes) {
   return all;
 }
 
+// What a change of the same coordinates makes of no mode: one that raises all
+// frequencies, each of its order, lowers none, and one that lowers all raises
+// none, whichever shapes look alike. A beam whose tip is held has a first mode
+// that is like the second of the free one.
+//
+// Source: J. W. S. Rayleigh, "The Theory of Sound", 2nd ed., 1894, section 88.
+void forbid_other_side(const VectorXd& now,
+                       const VectorXd& after,
+                       MatrixXd& cost) {
+  constexpr double forbidden = 1e3;  // beside shares of one at most
+  const Index modes = cost.rows();
+  if (modes == 0) return;
+  const double rounding = 1e-6 * now(modes - 1);
+  const auto change = (after.head(modes) - now.head(modes)).array();
+  const bool raises = (change > -rounding).all();
+  const bool lowers = (change < rounding).all();
+  for (Index i = 0; i < modes; ++i) {
+    for (Index k = 0; k < cost.cols(); ++k) {
+      const double moved = after(k) - now(i);
+      if ((raises && moved < -rounding) || (lowers && moved > rounding)) {
+        cost(i, k) = forbidden;
+      }
+    }
+  }
+}
+
 // By shape: of modes that change places each keeps its own. What the change
 // brings on springs of its own is at rest in the modes now.
 BothModes both_modes(const ChangedModel& model) {
@@ -59,7 +85,10 @@ BothModes both_modes(const ChangedModel& model) {
   at_rest.topRows(r) = now;
   both.of_now = after.partialPivLu().solve(at_rest).topRows(all);
   // By the share of a mode's energy: an absorber's own mode has little of any.
-  const MatrixXd cost = -both.u.topRows(first).cwiseAbs2();
+  MatrixXd cost = -both.u.topRows(first).cwiseAbs2();
+  if (after.rows() == r) {
+    forbid_other_side(both.now.omega, both.after.omega, cost);
+  }
   if (first > 0) both.becomes = modal::assign(cost);
   return both;
 }

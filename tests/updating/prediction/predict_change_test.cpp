@@ -71,6 +71,17 @@ void write_beam(const TemporaryFolder& folder,
       R"(, "uncertain": [{"material": 1, "property": "E"}])");
 }
 
+/// The same with a spring to ground at its tip, kappa = k L^3 / E I:
+///
+///   1 + cos b cosh b + kappa / b^3 (sin b cosh b - cos b sinh b) = 0.
+///
+/// Source: as above; kappa = infinity is the clamped and pinned beam.
+double sprung_beam_fault(double kappa, double b) {
+  return 1.0 + std::cos(b) * std::cosh(b) +
+         kappa / (b * b * b) *
+             (std::sin(b) * std::cosh(b) - std::cos(b) * std::sinh(b));
+}
+
 TEST(PredictedBeam, WithoutAMassIsTheBeam) {
   const std::vector<double> hz = beam_with_tip_mass(0.0);
   const testing::TrueModes beam = testing::clamped_beam({});
@@ -137,6 +148,33 @@ TEST(PredictedBeam, IntervalsHoldAsOftenAsTheySay) {
   // Five frequencies scatter by 0.3 %: no interval is wider than that of one
   // alone and a form off by half a percent.
   EXPECT_LT(widest, 2.0 * 1.96 * std::hypot(0.003, 0.005));
+}
+
+// The first mode of a beam whose tip is held is likest to the second of the
+// free one; yet a spring lowers no mode.
+TEST(PredictedBeam, HeldAtItsTipIsHigherModeByMode) {
+  const TemporaryFolder folder;
+  write_beam(folder, 1.0, {0.02, 0.1});
+  Session session(folder.path());
+  constexpr double k = 1e5;
+  const Prediction prediction = session.predict(
+      {parse_stated_change(fmt::format("ground-spring@21:Z={}", k))});
+  ASSERT_GE(prediction.modes.size(), 4U);
+  const double EI = 2.1e11 * testing::beam_inertia;
+  for (std::size_t m = 0; m < 4; ++m) {
+    const PredictedMode& mode = prediction.modes[m];
+    EXPECT_GT(mode.model_after_hz, mode.model_hz) << m;
+    if (m > 0) {
+      EXPECT_GT(mode.model_after_hz, prediction.modes[m - 1].model_after_hz);
+    }
+    // The closed form changes its sign within 0.3 %: shear and rotary inertia.
+    const double b =
+        std::sqrt(two_pi * mode.model_after_hz / std::sqrt(EI / beam_kg));
+    EXPECT_LT(sprung_beam_fault(k / EI, b * (1.0 - 1e-4)) *
+                  sprung_beam_fault(k / EI, b * (1.0 + 2e-3)),
+              0.0)
+        << m;
+  }
 }
 
 TEST(PredictedBeam, RefusesWhatTheModelCannotHold) {

@@ -20,6 +20,8 @@ std::set<int> used(const Elements& elements) {
 std::string lacks(const ShellProperty& p) {
   if (p.panel) return {};
   if (!p.plies.empty()) {
+    if (p.bending_alone)
+      return "LAM = BEND, the elements do not resist in plane";
     if (p.bending_ratio > 0.0) return {};
     return "LAM = MEM, the elements do not resist bending";
   }

@@ -207,6 +207,7 @@ struct ShellProperty {
   int coupling = 0;             ///< MID4: between membrane and bending
   std::vector<Ply> plies = {};  ///< from the bottom; instead of the materials
   double bottom = 0.0;          ///< Z0: of the plies, from the reference [m]
+  bool bending_alone = false;   ///< of the plies: LAM = BEND
   bool panel = false;           ///< carries shear flow only (CSHEAR)
   /// PSHEAR F1, F2: the share of the panel's area that acts as rods along sides
   /// 1-2 and 2-3.

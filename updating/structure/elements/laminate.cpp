@@ -118,6 +118,11 @@ ShellSection laminate_section(const Deck& deck,
     section.bending.setZero();
     section.shear_compliance.setZero();
   }
+  if (p.bending_alone) {
+    section.membrane.setZero();
+    section.coupling.setZero();
+    section.shear_compliance.setZero();
+  }
   return section;
 }
 

@@ -148,10 +148,8 @@ void apply_constraints(DeckBuilder& builder, std::optional<int> chosen);
 void apply_relations(DeckBuilder& builder, std::optional<int> chosen);
 
 /// Puts the DMIG matrices that the case control selects into the deck; without
-/// a selection those of the usual names (KAAX, MAAX, K2GG, M2GG).
-void apply_direct_matrices(DeckBuilder& builder,
-                           const std::vector<std::string>& stiffness,
-                           const std::vector<std::string>& mass);
+/// a case control those of the usual names (KAAX, MAAX, K2GG, M2GG).
+void apply_direct_matrices(DeckBuilder& builder, const CaseControl& control);
 
 /// Id of the grid that a field names.
 /// @throws InputError when there is none

@@ -113,8 +113,7 @@ void finish(const BulkData& bulk,
   drop_unchosen(control, builder);
   apply_constraints(builder, control.spc_set);
   apply_relations(builder, control.mpc_set);
-  apply_direct_matrices(
-      builder, control.stiffness_matrices, control.mass_matrices);
+  apply_direct_matrices(builder, control);
   check_odd_materials(builder);
   warn_other_subcases(control, deck);
   for (const auto& cards : {unsupported.needed, unsupported.others}) {

@@ -158,23 +158,42 @@ void take(const DeckBuilder& builder,
   }
 }
 
+// Those of responses (K2PP) are chosen for them alone.
+bool chooses_matrices(const CaseControl& control) {
+  if (control.selects) return true;
+  const std::vector<const char*> names{"K2GG", "M2GG", "K2PP", "M2PP"};
+  return std::ranges::any_of(names, [&control](const char* name) {
+    return control.commands.contains(name);
+  });
+}
+
 }  // namespace
 
 CardTable direct_matrix_cards() { return {{"DMIG", read_column}}; }
 
-void apply_direct_matrices(DeckBuilder& builder,
-                           const std::vector<std::string>& stiffness,
-                           const std::vector<std::string>& mass) {
-  const bool chosen = !stiffness.empty() || !mass.empty();
-  const std::vector<TakenMatrix> K = taken(
-      chosen ? stiffness : std::vector<std::string>{"K2GG", "KAAX", "KGG"});
+void apply_direct_matrices(DeckBuilder& builder, const CaseControl& control) {
+  const bool chosen = chooses_matrices(control);
+  const std::vector<TakenMatrix> K =
+      taken(chosen ? control.stiffness_matrices
+                   : std::vector<std::string>{"K2GG", "KAAX", "KGG"});
   const std::vector<TakenMatrix> M =
-      taken(chosen ? mass : std::vector<std::string>{"M2GG", "MAAX", "MGG"});
+      taken(chosen ? control.mass_matrices
+                   : std::vector<std::string>{"M2GG", "MAAX", "MGG"});
   take(builder, K, chosen, builder.deck.stiffness_terms);
   take(builder, M, chosen, builder.deck.mass_terms);
   for (const auto& [name, matrix] : builder.direct_matrices) {
     const auto is_this = [&](const TakenMatrix& m) { return m.name == name; };
-    if (std::ranges::any_of(K, is_this) || std::ranges::any_of(M, is_this)) {
+    const bool stiffness = std::ranges::any_of(K, is_this);
+    if (stiffness || std::ranges::any_of(M, is_this)) {
+      if (chosen) continue;
+      builder.deck.warnings.push_back(fmt::format(
+          "{}: DMIG {} is taken as {} for its name, since no case control "
+          "chooses; choose there ({} = {}) if that is meant",
+          matrix.where,
+          name,
+          stiffness ? "stiffness" : "mass",
+          stiffness ? "K2GG" : "M2GG",
+          name));
       continue;
     }
     builder.deck.warnings.push_back(

@@ -57,14 +57,17 @@ void read_laminate(DeckBuilder& builder,
     p.plies.insert(p.plies.end(), p.plies.rbegin(), p.plies.rend());
   } else if (kind == "MEM") {
     p.bending_ratio = 0.0;
+  } else if (kind == "BEND") {
+    p.bending_alone = true;
   } else if (kind == "SMEAR") {
     p.shear_ratio = 0.0;
   } else if (!kind.empty()) {
-    card.fail(fmt::format("LAM = {} is not supported: the stiffness of its "
-                          "plies would be another one",
-                          kind),
-              "Leave it blank, use SYM, MEM or SMEAR, or give the section by a "
-              "PSHELL.");
+    card.fail(
+        fmt::format("LAM = {} is not supported: the stiffness of its "
+                    "plies would be another one",
+                    kind),
+        "Leave it blank, use SYM, MEM, BEND or SMEAR, or give the section "
+        "by a PSHELL.");
   }
   for (const Ply& ply : p.plies) p.thickness += ply.thickness;
   const double middle = -0.5 * p.thickness;

@@ -149,6 +149,27 @@ TEST(DirectMatrices, AreAddedWhereTheCaseControlNamesThem) {
   EXPECT_THAT(none.warnings[0], HasSubstr("DMIG KX is left out"));
 }
 
+// A reduced model in a file of its own has usual names and no case control;
+// where one chooses, what it does not choose is not in the model, as in
+// Nastran.
+TEST(DirectMatrices, OfUsualNamesAreTakenWithoutACaseControl) {
+  const auto deck = [](const std::string& control) {
+    return deck_of(control +
+                   "BEGIN BULK\nGRID,1,,0.,0.,0.,,23456\nCMASS2,5,2.,1,1\n"
+                   "DMIG,KAAX,0,6,1,0\nDMIG,KAAX,1,1,,1,1,30.\nENDDATA\n");
+  };
+  const Deck alone = deck("");
+  ASSERT_EQ(alone.stiffness_terms.size(), 1U);
+  EXPECT_THAT(alone.warnings[0],
+              HasSubstr("DMIG KAAX is taken as stiffness for its name"));
+  for (const char* control :
+       {"SOL 103\nCEND\nMETHOD = 1\n", "SOL 103\nCEND\nK2PP = KAAX\n"}) {
+    const Deck other = deck(control);
+    EXPECT_TRUE(other.stiffness_terms.empty()) << control;
+    EXPECT_THAT(other.warnings, Contains(HasSubstr("DMIG KAAX is left out")));
+  }
+}
+
 constexpr const char* two_springs =
     "BEGIN BULK\nGRID,1,,0.,0.,0.,,23456\nGRID,2,,1.,0.,0.,,23456\n"
     "CMASS2,5,2.,1,1\nCMASS2,6,2.,2,1\n";

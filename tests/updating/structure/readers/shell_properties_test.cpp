@@ -17,8 +17,8 @@ ShellSection section_of_laminate(const std::string& head) {
   return shell_section(deck, deck.shells.front());
 }
 
-// By the Quick Reference Guide: of MEM the membrane alone; of SMEAR the mean
-// stiffness, 12 I / t^3 = 1, without coupling or shear, Z0 passed over.
+// By the Quick Reference Guide: of MEM the membrane alone, of BEND the bending
+// alone, both stiff in transverse shear; of SMEAR the mean stiffness, 12 I / t^3 = 1, without coupling or shear, Z0 passed over.
 TEST(Laminates, OfOneKindOfStiffness) {
   const ShellSection all = section_of_laminate("");
   EXPECT_GT(all.coupling.norm(), 0.0);
@@ -27,6 +27,12 @@ TEST(Laminates, OfOneKindOfStiffness) {
   EXPECT_EQ(membrane.mass, all.mass);
   EXPECT_TRUE(membrane.bending.isZero(0.0));
   EXPECT_TRUE(membrane.coupling.isZero(0.0));
+  const ShellSection bent = section_of_laminate(",,,,,,BEND");
+  EXPECT_EQ(bent.bending, all.bending);
+  EXPECT_EQ(bent.mass, all.mass);
+  EXPECT_TRUE(bent.membrane.isZero(0.0));
+  EXPECT_TRUE(bent.coupling.isZero(0.0));
+  EXPECT_TRUE(bent.shear_compliance.isZero(0.0));
   const ShellSection smeared = section_of_laminate("0.,,,,,,SMEAR");
   EXPECT_EQ(smeared.membrane, all.membrane);
   EXPECT_TRUE(smeared.coupling.isZero(0.0));
@@ -35,10 +41,10 @@ TEST(Laminates, OfOneKindOfStiffness) {
             1e-14 * smeared.bending.norm());
 }
 
-TEST(Laminates, OfBendingAloneAreRefused) {
+TEST(Laminates, OfAnUnknownKindAreRefused) {
   EXPECT_THAT(
-      refusal_of([] { static_cast<void>(section_of_laminate(",,,,,,BEND")); }),
-      HasSubstr("LAM = BEND is not supported"));
+      refusal_of([] { static_cast<void>(section_of_laminate(",,,,,,THICK")); }),
+      HasSubstr("LAM = THICK is not supported"));
 }
 
 // T1 to T4 of every element in place of the property's T.
