@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <utility>
 
@@ -108,6 +109,10 @@ std::vector<CardSlip> card_slips(const Deck& deck) {
   // Of cards that no element uses nothing is told.
   std::erase_if(slips,
                 [](const CardSlip& slip) { return slip.elements.empty(); });
+  // Not all are tried of many cards: what moves most of the structure is.
+  std::ranges::stable_sort(slips, std::ranges::greater{}, [](const auto& slip) {
+    return slip.elements.size();
+  });
   return slips;
 }
 

@@ -15,9 +15,10 @@ namespace tapfit::updating {
 /// Of card_slips().
 [[nodiscard]] const std::vector<std::string>& slip_kinds();
 
-/// In the order in which they are tried, of cards that elements use: other
-/// units (card_units.hpp), I1 and I2 of bars that bend in both planes, E1 and
-/// E2 of a MAT8, then the thickness of a PSHELL doubled and halved. Numbers
+/// In the order in which they are tried, of cards that elements use, those of
+/// most elements first: other units (card_units.hpp), I1 and I2 of bars that
+/// bend in both planes, E1 and E2 of a MAT8, then the thickness of a PSHELL
+/// doubled and halved. Numbers
 /// within a percent of each other are not exchanged: no measurement tells.
 [[nodiscard]] std::vector<CardSlip> card_slips(const structure::Deck& deck);
 

@@ -38,6 +38,20 @@ TEST(CardSlips, OfBarsAreTheirSecondMoments) {
   EXPECT_TRUE(card_slips(deck).empty()) << "it bends in one plane";
 }
 
+TEST(CardSlips, OfMostElementsComeFirst) {
+  structure::Deck deck;
+  deck.grids = {{1, {0, 0, 0}}, {2, {1, 0, 0}}, {3, {2, 0, 0}}, {4, {3, 0, 0}}};
+  deck.bars = {structure::make_bar(7, 3, 1, 2),
+               structure::make_bar(5, 4, 2, 3),
+               structure::make_bar(6, 4, 3, 4)};
+  deck.bar_properties[3] = {3, 1, 4e-4, 3e-8, 1e-8, 0.0, 2e-8};
+  deck.bar_properties[4] = {4, 1, 4e-4, 3e-8, 1e-8, 0.0, 2e-8};
+  const auto slips = card_slips(deck);
+  ASSERT_EQ(slips.size(), 2U);
+  EXPECT_EQ(slips[0].elements, (std::vector<int>{5, 6}));
+  EXPECT_EQ(slips[1].elements, (std::vector<int>{7}));
+}
+
 TEST(CardSlips, AreEffectsOfTheDeckOnTheirElements) {
   structure::Deck deck = support::plate_deck(true);
   const acquisition::TestBundle bundle = support::plate_bundle();
