@@ -14,9 +14,10 @@
 namespace tapfit::end_to_end {
 namespace {
 
-// Sanitizers make the program about ten times slower.
+// Sanitizers make the program about ten times slower, beside other tests twice
+// that.
 #if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
-constexpr int patience = 6;
+constexpr int patience = 20;
 #else
 constexpr int patience = 1;
 #endif
