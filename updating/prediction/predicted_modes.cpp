@@ -40,8 +40,8 @@ MatrixXd with_own(const BaseModes& modes) {
 
 // What a change of the same coordinates makes of no mode: one that raises all
 // frequencies, each of its order, lowers none, and one that lowers all raises
-// none, whichever shapes look alike. A beam whose tip is held has a first mode
-// that is like the second of the free one.
+// none, whichever shapes look alike: the second mode of a beam whose tip is held
+// is likest to the third of the free one.
 //
 // Source: J. W. S. Rayleigh, "The Theory of Sound", 2nd ed., 1894, section 88.
 void forbid_other_side(const VectorXd& now,

@@ -18,8 +18,8 @@ namespace tapfit::updating {
 /// In the order in which they are tried, of cards that elements use, those of
 /// most elements first: other units (card_units.hpp), I1 and I2 of bars that
 /// bend in both planes, E1 and E2 of a MAT8, then the thickness of a PSHELL
-/// doubled and halved. Numbers
-/// within a percent of each other are not exchanged: no measurement tells.
+/// doubled and halved. Numbers within a percent of each other are not
+/// exchanged: no measurement tells.
 [[nodiscard]] std::vector<CardSlip> card_slips(const structure::Deck& deck);
 
 /// Those of the kind that is a place's variant, on its elements.

@@ -19,8 +19,9 @@
 namespace tapfit::structure {
 
 /// A laminate whose bending_ratio is zero (LAM = MEM) has no bending stiffness,
-/// one of bending_alone (BEND) no other; one whose shear_ratio is zero (SMEAR) has D = A t^2 / 12, no B and no
-/// transverse shear, whatever the order of its plies.
+/// one of bending_alone (BEND) no other; one whose shear_ratio is zero (SMEAR)
+/// has D = A t^2 / 12, no B and no transverse shear, whatever the order of its
+/// plies.
 ///
 /// @param p with plies; they are as thick in all as its thickness says, or the
 ///   shell's

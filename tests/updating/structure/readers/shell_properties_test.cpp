@@ -18,7 +18,8 @@ ShellSection section_of_laminate(const std::string& head) {
 }
 
 // By the Quick Reference Guide: of MEM the membrane alone, of BEND the bending
-// alone, both stiff in transverse shear; of SMEAR the mean stiffness, 12 I / t^3 = 1, without coupling or shear, Z0 passed over.
+// alone, both stiff in transverse shear; of SMEAR the mean stiffness,
+// 12 I / t^3 = 1, without coupling or shear, Z0 passed over.
 TEST(Laminates, OfOneKindOfStiffness) {
   const ShellSection all = section_of_laminate("");
   EXPECT_GT(all.coupling.norm(), 0.0);
