@@ -1,9 +1,9 @@
 #include "updating/fit/fit_context.hpp"
 
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/corrections/corrections.hpp"
 #include "updating/measurement/bundle_modes.hpp"
 #include "updating/measurement/mode_choices.hpp"
-#include "updating/reduction/corrections.hpp"
 #include "updating/residual/mesh_error.hpp"
 #include "updating/structure/checks/unit_checks.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"

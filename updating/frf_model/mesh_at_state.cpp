@@ -1,7 +1,7 @@
 #include "updating/frf_model/mesh_at_state.hpp"
 
 #include "acquisition/foundation/constants.hpp"
-#include "updating/reduction/mesh_shift.hpp"
+#include "updating/corrections/mesh_shift.hpp"
 
 #include <Eigen/QR>
 

@@ -2,8 +2,8 @@
 
 #include "acquisition/foundation/constants.hpp"
 #include "acquisition/foundation/input_error.hpp"
+#include "updating/corrections/deck_forms.hpp"
 #include "updating/properties/uncertain_parts.hpp"
-#include "updating/reduction/deck_forms.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/structure/checks/unit_checks.hpp"

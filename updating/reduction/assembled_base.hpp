@@ -3,8 +3,8 @@
 
 #include "acquisition/bundle/test_bundle.hpp"
 #include "acquisition/foundation/progress.hpp"
+#include "updating/corrections/corrections.hpp"
 #include "updating/reduction/base_options.hpp"
-#include "updating/reduction/corrections.hpp"
 #include "updating/reduction/released_system.hpp"
 #include "updating/reduction/residual_flexibility.hpp"
 #include "updating/structure/deck/deck.hpp"

@@ -8,8 +8,8 @@
 #pragma once
 
 #include "updating/cache/matrix_cache.hpp"
+#include "updating/corrections/mass_forms.hpp"
 #include "updating/properties/uncertain_parts.hpp"
-#include "updating/reduction/mass_forms.hpp"
 
 #include <Eigen/Core>
 

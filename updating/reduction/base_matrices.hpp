@@ -1,24 +1,15 @@
 // A model seen through the vectors of a reduced base.
 #pragma once
 
+#include "updating/corrections/correction.hpp"
 #include "updating/reduction/point_rows.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 
 #include <Eigen/Core>
 
-#include <string>
 #include <vector>
 
 namespace tapfit::updating {
-
-/// A factor that is fitted along with what is uncertain, see corrections.hpp.
-struct Correction {
-  std::string name;
-  double sd = 0.0;  ///< of ln f, before anything is measured
-  double mean = 0.0;
-  double lower = -1.0;
-  double upper = 1.0;
-};
 
 struct BaseMatrices {
   Eigen::MatrixXd K;  ///< r x r

@@ -8,6 +8,12 @@
 
 namespace tapfit::updating {
 
+/// What a base is asked for.
+enum class BaseUse {
+  Fit,   ///< the FRFs between the points given; see lean_span.hpp
+  Scan,  ///< any grid may be asked about
+};
+
 struct BaseOptions {
   double high_hz = 100.0;  ///< top of the band
   double reach = 4.0;      ///< modes up to reach * high_hz

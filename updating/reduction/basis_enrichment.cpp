@@ -1,9 +1,9 @@
 #include "updating/reduction/basis_enrichment.hpp"
 
 #include "updating/effects/stiffness_loss.hpp"
-#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/solve/released_patterns.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
 #include <Eigen/Cholesky>
@@ -104,7 +104,7 @@ constexpr double little = 3e-2;
 // The few patterns of force in elements that the band's modes strain.
 // @param S of one sign
 MatrixXd strain_forces(const HeldBase& base, const SparseMatrix& S) {
-  const Acting elements = acting(S);
+  const structure::Acting elements = structure::acting(S);
   const MatrixXd U = elements.rows_of(base.V) * shares(base).asDiagonal();
   const MatrixXd SU = symmetric_product(elements.A, U);
   const MatrixXd energy = U.transpose() * SU;
@@ -121,7 +121,7 @@ struct Answered {
 
 // @param least energy that is worth it, per column
 Answered answered(const HeldBase& base,
-                  const Acting& change,
+                  const structure::Acting& change,
                   const MatrixXd& forces,
                   const VectorXd& least) {
   const MatrixXd moved =
@@ -144,7 +144,7 @@ Answered answered(const HeldBase& base,
 // conjugate directions, all columns at once. All these forces are where C acts.
 // Source: Y. Saad, "Iterative Methods for Sparse Linear Systems", 2003, ch. 6.
 MatrixXd answers_to(const HeldBase& base,
-                    const Acting& change,
+                    const structure::Acting& change,
                     const MatrixXd& forces) {
   // Of the energy of what w begins with, in the square root.
   constexpr double enough = 1e-4;
@@ -270,10 +270,11 @@ MatrixXd loss_modes(const HeldBase& base,
                     double least) {
   const MatrixXd strained = strain_forces(base, lost.S);
   SparseMatrix change = -(1.0 - least) * lost.S;
-  if (lost.N.size() == 0) return answers_to(base, acting(change), strained);
+  if (lost.N.size() == 0)
+    return answers_to(base, structure::acting(change), strained);
   // Where its mass acts, too.
   change -= (1.0 - effects::thickness_left(least)) * lost.T + 0.0 * lost.N;
-  const Acting acted = acting(change);
+  const structure::Acting acted = structure::acting(change);
   // The answers to its forces span those to T's: with both the base had no
   // more than rounding between them.
   return join({answers_to(base, acted, strained),
@@ -281,7 +282,7 @@ MatrixXd loss_modes(const HeldBase& base,
 }
 
 MatrixXd added_modes(const HeldBase& base, const SparseMatrix& S, double most) {
-  return answers_to(base, acting(most * S), strain_forces(base, S));
+  return answers_to(base, structure::acting(most * S), strain_forces(base, S));
 }
 
 }  // namespace tapfit::updating

@@ -1,8 +1,8 @@
 #include "updating/reduction/change_range.hpp"
 
 #include "acquisition/foundation/constants.hpp"
-#include "updating/reduction/seen_through.hpp"
 #include "updating/structure/solve/free_motions.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -57,7 +57,7 @@ ChangeRange added_range(const structure::SparseMatrix& S,
                         const PlainModes& modes) {
   // Of what buckles the structure: its frequency is then a third.
   constexpr double nearly = 0.9;
-  MatrixXd energy = seen_through(modes.shapes, S);
+  MatrixXd energy = structure::seen_through(modes.shapes, S);
   double most = 0.0;
   for (Index r = 0; r < modes.hz.size(); ++r) {
     // What the whole does as a rigid body strains nothing.

@@ -2,8 +2,8 @@
 
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/massless_dofs.hpp"
-#include "updating/reduction/seen_through.hpp"
 #include "updating/structure/assembly/assemble.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -16,16 +16,16 @@ ReducedBase deck_through_base(
     const std::vector<acquisition::UncertainProperty>& uncertain,
     const BaseVectors& base) {
   const structure::System system = structure::assemble(deck);
-  MatrixXd M = seen_through(base.V, system.M);
+  MatrixXd M = structure::seen_through(base.V, system.M);
   const auto lent = regularising_mass(system, base.points, base.high_hz);
-  if (lent.size() > 0) M += seen_through(base.V, lent);
+  if (lent.size() > 0) M += structure::seen_through(base.V, lent);
   ReducedBase result;
   result.rows = base.rows;
-  result.K = seen_through(base.V, system.K);
+  result.K = structure::seen_through(base.V, system.K);
   for (const UncertainPart& part : uncertain_parts(deck, uncertain)) {
     result.part_power.push_back(part.power);
-    result.K_part.push_back(seen_through(base.V, part.K));
-    result.M_part.push_back(seen_through(base.V, part.M));
+    result.K_part.push_back(structure::seen_through(base.V, part.K));
+    result.M_part.push_back(structure::seen_through(base.V, part.M));
   }
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> modes(result.K, M);
   result.turn(modes.eigenvectors());

@@ -2,8 +2,8 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/reduction/held_motions.hpp"
-#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 
 #include <Eigen/Eigenvalues>
 
@@ -47,7 +47,7 @@ ReducedBase extended_base(const MatrixXd& V,
     MatrixXd whole = MatrixXd::Zero(a + b, a + b);
     whole.topLeftCorner(a, a) = known;
     if (A.is_zero()) return whole;
-    whole.rightCols(b) = seen_through(V, R, A);
+    whole.rightCols(b) = structure::seen_through(V, R, A);
     whole.bottomLeftCorner(b, a) = whole.topRightCorner(a, b).transpose();
     return whole;
   };
@@ -77,7 +77,7 @@ ReducedBase extended_base(const MatrixXd& V,
     base.rows.set_at_rest(released.held);
   }
   const auto through = [&](const SparseMatrix& A) {
-    MatrixXd seen = seen_through_all(V, R, A);
+    MatrixXd seen = structure::seen_through_all(V, R, A);
     return left.size() == 0 ? seen : MatrixXd(left.transpose() * seen * left);
   };
   for (const ScaledStiffness& scaled : released.scaled) {

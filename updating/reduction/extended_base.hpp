@@ -5,8 +5,8 @@
 // Where degrees of freedom are held besides, of this what leaves them at rest.
 #pragma once
 
+#include "updating/corrections/corrections.hpp"
 #include "updating/reduction/base_matrices.hpp"
-#include "updating/reduction/corrections.hpp"
 #include "updating/reduction/released_system.hpp"
 
 #include <Eigen/Core>

@@ -1,15 +1,16 @@
 #include "updating/reduction/reduced_base.hpp"
 
+#include "updating/corrections/corrections.hpp"
 #include "updating/places/held_support.hpp"
 #include "updating/properties/uncertain_parts.hpp"
 #include "updating/reduction/assembled_base.hpp"
 #include "updating/reduction/base_cache.hpp"
 #include "updating/reduction/basis_enrichment.hpp"
 #include "updating/reduction/change_range.hpp"
-#include "updating/reduction/corrections.hpp"
 #include "updating/reduction/deck_through_base.hpp"
 #include "updating/reduction/extended_base.hpp"
 #include "updating/reduction/lean_span.hpp"
+#include "updating/reduction/made_bases.hpp"
 #include "updating/reduction/massless_dofs.hpp"
 #include "updating/reduction/missing_vectors.hpp"
 #include "updating/reduction/released_system.hpp"
@@ -22,10 +23,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <algorithm>
-#include <deque>
 #include <iterator>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <utility>
 
@@ -75,53 +74,6 @@ std::vector<int> with(const std::vector<int>& points,
 }
 
 }  // namespace
-
-// The same effects are asked for in one look after another.
-class BaseBuilder::MadeBases {
- public:
-  struct Request {
-    std::vector<int> points;
-    std::vector<StiffnessChange> changes;
-    BaseUse use = BaseUse::Fit;
-
-    bool operator==(const Request&) const = default;
-  };
-
-  /// @return null where it was not made or is kept no longer
-  [[nodiscard]] std::shared_ptr<const ReducedBase> find(
-      const Request& request) const {
-    const std::scoped_lock lock(mutex_);
-    const auto at = std::ranges::find(made_, request, &Made::request);
-    return at == made_.end() ? nullptr : at->base;
-  }
-
-  void keep(Request request, std::shared_ptr<const ReducedBase> base) {
-    const auto matrices = static_cast<Index>(1 + 2 * base->K_part.size() +
-                                             2 * base->terms.size());
-    const Index numbers =
-        base->rows.own_numbers() + matrices * base->size() * base->size();
-    const std::scoped_lock lock(mutex_);
-    made_.push_back({std::move(request), std::move(base), numbers});
-    numbers_ += numbers;
-    while (numbers_ > most_numbers) {
-      numbers_ -= made_.front().numbers;
-      made_.pop_front();
-    }
-  }
-
- private:
-  struct Made {
-    Request request;
-    std::shared_ptr<const ReducedBase> base;
-    Index numbers = 0;
-  };
-
-  static constexpr Index most_numbers = 8'000'000;  // 64 MB
-
-  mutable std::mutex mutex_;
-  std::deque<Made> made_;  // oldest first
-  Index numbers_ = 0;
-};
 
 struct BaseBuilder::Impl {
   Impl(const structure::Deck& deck,
@@ -412,7 +364,7 @@ ReducedBase BaseBuilder::build(const std::vector<int>& points,
   std::vector<int> fresh;
   std::ranges::set_difference(points, span.points, std::back_inserter(fresh));
   if (changes.empty() && fresh.empty()) return span.base;
-  MadeBases::Request request{points, changes, use};
+  BaseRequest request{points, changes, use};
   if (const auto known = made_->find(request)) return *known;
   ReducedBase base = m.extended(span, changes, fresh);
   if (lean && release_dofs(changes)) m.make_lean(base, points);

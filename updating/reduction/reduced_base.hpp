@@ -36,11 +36,7 @@
 
 namespace tapfit::updating {
 
-/// What a base is asked for.
-enum class BaseUse {
-  Fit,   ///< the FRFs between the points given; see lean_span.hpp
-  Scan,  ///< any grid may be asked about
-};
+class MadeBases;
 
 /// Holds the factored matrices, so that bases for other points cost only
 /// back-substitutions.
@@ -97,7 +93,6 @@ class BaseBuilder {
 
  private:
   struct Impl;
-  class MadeBases;
   std::shared_ptr<Impl> impl_;  // bases make rows again by it
   std::unique_ptr<MadeBases> made_;
 };

@@ -12,8 +12,8 @@
 // q = 0 is the structure without the joint.
 #pragma once
 
+#include "updating/corrections/mass_forms.hpp"
 #include "updating/properties/element_parts.hpp"
-#include "updating/reduction/mass_forms.hpp"
 #include "updating/reduction/stiffness_change.hpp"
 #include "updating/structure/mesh/refined_deck.hpp"
 #include "updating/structure/solve/bordered_matrix.hpp"

@@ -2,11 +2,11 @@
 
 #include "acquisition/foundation/input_error.hpp"
 #include "updating/reduction/base_error.hpp"
-#include "updating/reduction/seen_through.hpp"
 #include "updating/reduction/subspace.hpp"
 #include "updating/structure/assembly/deck_modes.hpp"
 #include "updating/structure/solve/eigenmodes.hpp"
 #include "updating/structure/solve/factor.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 #include "updating/structure/solve/symmetric_product.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -97,10 +97,10 @@ SolvedBase solve_base(const AssembledBase& model,
                        "check units, supports and the points' directions");
     }
     V = (V * Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-                 seen_through(V, system.K))
+                 structure::seen_through(V, system.K))
                  .eigenvectors())
             .eval();
-    solved.K = seen_through(V, system.K);
+    solved.K = structure::seen_through(V, system.K);
     solved.error = base_error(system,
                               *model.answers,
                               V,
@@ -110,8 +110,8 @@ SolvedBase solve_base(const AssembledBase& model,
     if (solved.error <= exact_enough) break;
   }
   for (const UncertainPart& part : model.parts) {
-    solved.K_part.push_back(seen_through(V, part.K));
-    solved.M_part.push_back(seen_through(V, part.M));
+    solved.K_part.push_back(structure::seen_through(V, part.K));
+    solved.M_part.push_back(structure::seen_through(V, part.M));
   }
   return solved;
 }

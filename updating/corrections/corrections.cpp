@@ -1,7 +1,7 @@
-#include "updating/reduction/corrections.hpp"
+#include "updating/corrections/corrections.hpp"
 
-#include "updating/reduction/seen_through.hpp"
 #include "updating/structure/mesh/free_edge_layer.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 
 namespace tapfit::updating {
 
@@ -32,7 +32,7 @@ std::vector<CorrectionPart> corrections(const structure::Deck& deck,
   std::vector<CorrectionPart> parts = {
       {{"mesh size", size_sd}, in_base(size.K), in_base(size.M)}};
   const structure::SparseMatrix twist = -structure::free_edge_layer(deck);
-  MatrixXd K = seen_through(V, twist);
+  MatrixXd K = structure::seen_through(V, twist);
   if (!K.isZero(0.0)) {
     parts.push_back(
         {{"mesh edges", edges_sd}, std::move(K), in_base({}), twist});
@@ -43,7 +43,8 @@ std::vector<CorrectionPart> corrections(const structure::Deck& deck,
     parts.push_back({form.correction, in_base(-shift.K), in_base(-shift.M)});
   }
   for (const MassForm& form : mass) {
-    parts.push_back({form.correction, in_base({}), seen_through(V, form.M)});
+    parts.push_back(
+        {form.correction, in_base({}), structure::seen_through(V, form.M)});
   }
   return parts;
 }

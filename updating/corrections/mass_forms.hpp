@@ -5,7 +5,7 @@
 // with M_1 the mass of the deck with the form less its own.
 #pragma once
 
-#include "updating/reduction/base_matrices.hpp"
+#include "updating/corrections/correction.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 

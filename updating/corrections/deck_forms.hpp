@@ -2,7 +2,7 @@
 // one of them, for the corrections of the model.
 #pragma once
 
-#include "updating/reduction/base_matrices.hpp"
+#include "updating/corrections/correction.hpp"
 #include "updating/structure/deck/deck.hpp"
 
 #include <vector>

@@ -1,4 +1,4 @@
-#include "updating/reduction/deck_forms.hpp"
+#include "updating/corrections/deck_forms.hpp"
 
 #include "updating/properties/line_mass.hpp"
 #include "updating/properties/section_shear.hpp"

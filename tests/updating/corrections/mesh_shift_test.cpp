@@ -1,4 +1,4 @@
-#include "updating/reduction/mesh_shift.hpp"
+#include "updating/corrections/mesh_shift.hpp"
 
 #include "acquisition/foundation/constants.hpp"
 #include "tests/updating/support/sample_plate.hpp"

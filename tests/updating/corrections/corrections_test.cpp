@@ -1,14 +1,14 @@
-#include "updating/reduction/corrections.hpp"
+#include "updating/corrections/corrections.hpp"
 
 #include "acquisition/foundation/constants.hpp"
 #include "tests/updating/support/based_frame.hpp"
 #include "tests/updating/support/deck_support.hpp"
+#include "updating/corrections/deck_forms.hpp"
 #include "updating/effects/joint_cards.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/properties/line_mass.hpp"
 #include "updating/properties/section_shear.hpp"
 #include "updating/properties/uncertain_parts.hpp"
-#include "updating/reduction/deck_forms.hpp"
 #include "updating/reduction/reduced_base.hpp"
 #include "updating/structure/mesh/refine_mesh.hpp"
 

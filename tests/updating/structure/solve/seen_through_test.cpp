@@ -1,15 +1,14 @@
-#include "updating/reduction/seen_through.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 
 #include <gtest/gtest.h>
 
 #include <vector>
 
-namespace tapfit::updating {
+namespace tapfit::structure {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using structure::SparseMatrix;
 
 // Symmetric, on some degrees of freedom of thirty.
 SparseMatrix on(const std::vector<int>& dofs, Index size = 30) {
@@ -79,4 +78,4 @@ TEST(SeenThrough, IsTheWholeProductOfWhatActsOnFewDofs) {
 }
 
 }  // namespace
-}  // namespace tapfit::updating
+}  // namespace tapfit::structure

@@ -1,17 +1,14 @@
-#include "updating/reduction/seen_through.hpp"
+#include "updating/structure/solve/seen_through.hpp"
 
 #include "updating/structure/solve/symmetric_product.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace tapfit::updating {
+namespace tapfit::structure {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
-using structure::BorderedMatrix;
-using structure::SparseMatrix;
-using structure::symmetric_product;
 
 MatrixXd Acting::rows_of(const MatrixXd& X) const {
   MatrixXd rows = MatrixXd::Zero(A.rows(), X.cols());
@@ -111,4 +108,4 @@ MatrixXd seen_through_all(const MatrixXd& V,
   return rows.transpose() * symmetric_product(few.A, rows);
 }
 
-}  // namespace tapfit::updating
+}  // namespace tapfit::structure

@@ -9,12 +9,12 @@
 
 #include <vector>
 
-namespace tapfit::updating {
+namespace tapfit::structure {
 
 /// A symmetric matrix on no more than what it acts on.
 struct Acting {
   std::vector<Eigen::Index> dofs;  ///< ascending
-  structure::SparseMatrix A;       ///< dofs square
+  SparseMatrix A;                  ///< dofs square
 
   /// Rows of X there, zero behind its last one.
   [[nodiscard]] Eigen::MatrixXd rows_of(const Eigen::MatrixXd& X) const;
@@ -23,13 +23,13 @@ struct Acting {
                                        Eigen::Index n) const;
 };
 
-[[nodiscard]] Acting acting(const structure::SparseMatrix& A);
+[[nodiscard]] Acting acting(const SparseMatrix& A);
 
 /// @param V n x a
 /// @param A n x n, symmetric
 /// @return V' A V, a x a
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
-                                           const structure::SparseMatrix& A);
+                                           const SparseMatrix& A);
 
 /// @param V n x a, zero on the degrees of freedom that follow
 /// @param R m x b, m >= n
@@ -37,17 +37,16 @@ struct Acting {
 /// @return [V R]' A R, (a + b) x b
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
                                            const Eigen::MatrixXd& R,
-                                           const structure::SparseMatrix& A);
+                                           const SparseMatrix& A);
 
 [[nodiscard]] Eigen::MatrixXd seen_through(const Eigen::MatrixXd& V,
                                            const Eigen::MatrixXd& R,
-                                           const structure::BorderedMatrix& A);
+                                           const BorderedMatrix& A);
 
 /// The same matrix through all of them, where A acts on few degrees of freedom.
 /// @return [V R]' A [V R], (a + b) square
-[[nodiscard]] Eigen::MatrixXd seen_through_all(
-    const Eigen::MatrixXd& V,
-    const Eigen::MatrixXd& R,
-    const structure::SparseMatrix& A);
+[[nodiscard]] Eigen::MatrixXd seen_through_all(const Eigen::MatrixXd& V,
+                                               const Eigen::MatrixXd& R,
+                                               const SparseMatrix& A);
 
-}  // namespace tapfit::updating
+}  // namespace tapfit::structure

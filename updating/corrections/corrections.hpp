@@ -1,3 +1,9 @@
+// The room updating/corrections. What a careful engineer's deck is off by with
+// nothing missing: its mesh, and forms that it lacks.
+// In:  Deck and its split one, their matrices and modes.
+// Out: factors with their priors, and the K and M that each scales.
+// May include: its row in CONTRIBUTING.md.
+//
 // What an engineer's model is off by without anything missing, as factors that
 // are fitted along with what is uncertain:
 //
@@ -12,9 +18,9 @@
 // it.
 #pragma once
 
-#include "updating/reduction/base_matrices.hpp"
-#include "updating/reduction/mass_forms.hpp"
-#include "updating/reduction/mesh_shift.hpp"
+#include "updating/corrections/correction.hpp"
+#include "updating/corrections/mass_forms.hpp"
+#include "updating/corrections/mesh_shift.hpp"
 #include "updating/structure/deck/deck.hpp"
 #include "updating/structure/solve/system.hpp"
 

@@ -1,6 +1,6 @@
-#include "updating/reduction/mass_forms.hpp"
+#include "updating/corrections/mass_forms.hpp"
 
-#include "updating/reduction/deck_forms.hpp"
+#include "updating/corrections/deck_forms.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 
 #include <utility>
