@@ -21,10 +21,10 @@ void DeadChannels::look_at(const Eigen::Ref<const Eigen::MatrixXd>& samples) {
   const auto column = [&](const Unchanged& one) {
     return samples.col(static_cast<Eigen::Index>(one.channel));
   };
-  if (!begun_) {
+  if (count_ == 0) {
     for (Unchanged& one : unchanged_) one.value = column(one)[0];
-    begun_ = true;
   }
+  count_ += samples.rows();
   // Mostly the second sample already differs.
   std::erase_if(unchanged_, [&](const Unchanged& one) {
     const auto values = column(one);
@@ -35,7 +35,12 @@ void DeadChannels::look_at(const Eigen::Ref<const Eigen::MatrixXd>& samples) {
 }
 
 void DeadChannels::refuse() const {
-  if (!begun_ || unchanged_.empty()) return;
+  if (count_ == 0 || unchanged_.empty()) return;
+  if (count_ == 1) {
+    throw InputError("the recording is one sample long",
+                     run_.file.string(),
+                     "record the run again, or take it out of `runs`");
+  }
   const Unchanged& dead = unchanged_.front();
   const Channel& channel = bundle_.channels[dead.channel];
   throw InputError(

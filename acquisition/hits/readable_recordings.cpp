@@ -71,6 +71,22 @@ class Usable {
   std::vector<Recording> recordings_;
 };
 
+// Why the first cannot be read, and that no other can.
+InputError none_readable(
+    const std::vector<std::optional<InputError>>& refused) {
+  const InputError& first = *refused.front();
+  if (refused.size() == 1) return first;
+  const bool alike = std::ranges::all_of(refused, [&](const auto& error) {
+    return error->fault() == first.fault();
+  });
+  return {fmt::format("{}; {} of the {} runs",
+                      first.fault(),
+                      alike ? "and so in each" : "nor can any other be used",
+                      refused.size()),
+          first.where(),
+          first.remedy()};
+}
+
 }  // namespace
 
 std::string statement(const LeftOut& left_out) {
@@ -111,7 +127,7 @@ ReadableRecordings read_readable(const TestBundle& bundle) {
   });
   const auto good = std::ranges::find_if(
       refused, [](const auto& error) { return !error.has_value(); });
-  if (good == refused.end() && count > 0) throw InputError(*refused.front());
+  if (good == refused.end() && count > 0) throw none_readable(refused);
   double rate = 0.0;
   for (std::size_t r = 0; r < count; ++r) {
     Recording& recording = result.recordings[r];

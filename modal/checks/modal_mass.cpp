@@ -85,7 +85,20 @@ Finding against_others(const acquisition::TestBundle& bundle,
                       who)};
 }
 
+// Geometric mean of z m.
+double mean_factor(const std::vector<ChannelSize>& sizes, double mass_kg) {
+  double log_sum = 0.0;
+  for (const ChannelSize& one : sizes) log_sum += std::log(one.z_per_kg);
+  return mass_kg * std::exp(log_sum / static_cast<double>(sizes.size()));
+}
+
 }  // namespace
+
+bool have_mass(const std::vector<ChannelSize>& sizes, double mass_kg) {
+  if (sizes.empty()) return true;
+  const double factor = mean_factor(sizes, mass_kg);
+  return factor <= far && factor >= 1.0 / far;
+}
 
 std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
                                        const ModeSet& modes) {
@@ -129,15 +142,8 @@ std::vector<Finding> modal_mass_findings(const acquisition::TestBundle& bundle,
     }
   }
   if (off.size() == sizes.size()) {
-    double log_sum = 0.0;
-    for (const ChannelSize& one : off) {
-      log_sum += std::log(one.z_per_kg * mass_kg);
-    }
     findings.push_back(
-        against_mass(bundle,
-                     off,
-                     std::exp(log_sum / static_cast<double>(off.size())),
-                     mass_kg));
+        against_mass(bundle, off, mean_factor(off, mass_kg), mass_kg));
     return findings;
   }
   for (const ChannelSize& one : off) {
@@ -148,13 +154,11 @@ std::vector<Finding> modal_mass_findings(const acquisition::TestBundle& bundle,
   }
   if (!findings.empty() || !off.empty() || sizes.size() < 2) return findings;
   for (const ChannelSize& one : sizes) {
-    double log_sum = 0.0;
-    for (const ChannelSize& other : sizes) {
-      if (other.channel != one.channel) log_sum += std::log(other.z_per_kg);
-    }
-    const double factor =
-        one.z_per_kg /
-        std::exp(log_sum / static_cast<double>(sizes.size() - 1));
+    std::vector<ChannelSize> others = sizes;
+    std::erase_if(others, [&one](const ChannelSize& other) {
+      return other.channel == one.channel;
+    });
+    const double factor = one.z_per_kg / mean_factor(others, 1.0);
     // Of two both are named; of more the one that differs.
     if (factor < far_apart && factor > 1.0 / far_apart) continue;
     findings.push_back(against_others(bundle, one, factor));

@@ -27,6 +27,12 @@ struct ChannelSize {
 [[nodiscard]] std::vector<ChannelSize> channel_sizes(const signal::FrfSet& set,
                                                      const ModeSet& modes);
 
+/// Whether the resonances of all channels together are those of such a
+/// structure, as far as no structure explains the rest; so without channels.
+/// @param mass_kg above zero
+[[nodiscard]] bool have_mass(const std::vector<ChannelSize>& sizes,
+                             double mass_kg);
+
 /// @param mass_kg of the structure; 0 where it is not known
 [[nodiscard]] std::vector<Finding> modal_mass_findings(
     const acquisition::TestBundle& bundle,

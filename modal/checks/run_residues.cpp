@@ -143,22 +143,27 @@ Finding gain_finding(const acquisition::TestBundle& bundle,
         "direction in them: one mode does not tell",
         either);
   }
-  return {Severity::Error,
-          {change.runs, who, {}, {}},
-          fmt::format("{} against {} is {}{:.3g} times what it is in the other "
-                      "runs, in {}{}",
-                      who,
-                      other,
-                      turned ? "minus " : "",
-                      factor,
-                      one_mode ? "the one mode that tells" : "every mode",
-                      once),
-          std::move(cause),
-          fmt::format("list {} a second time in `channels` with {:.4g} times "
-                      "the sensitivity and use that channel in these runs, or "
-                      "take them out",
-                      who,
-                      turned ? -factor : factor)};
+  return {
+      Severity::Error,
+      {change.runs, who, {}, {}},
+      fmt::format("{} against {} is {}{:.3g} times what it is in the other "
+                  "runs, in {}{}",
+                  who,
+                  other,
+                  turned ? "minus " : "",
+                  factor,
+                  one_mode ? "the one mode that tells" : "every mode",
+                  once),
+      std::move(cause),
+      fmt::format("list {} a second time in `channels` with {:.4g} times "
+                  "the sensitivity{} and use that channel in these runs, or "
+                  "take them out",
+                  who,
+                  turned ? -factor : factor,
+                  two ? fmt::format(" (or {} with {:.4g} times)",
+                                    other,
+                                    turned ? -1.0 / factor : 1.0 / factor)
+                      : std::string())};
 }
 
 // Of an integral and a derivative, and of a sensor that is late.

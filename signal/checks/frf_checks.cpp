@@ -142,10 +142,14 @@ Reciprocal compared(const FrfSet& set,
   result.frf = i;
   result.other = j;
   if (!(norms > 0.0)) return result;
-  const Eigen::ArrayXd d2 = (one - two).cwiseAbs2().array();
+  const Eigen::VectorXcd d = one - two;
+  const Eigen::ArrayXd d2 = d.cwiseAbs2().array();
   result.difference = std::sqrt(d2.sum() / norms);
   result.gain = two.dot(one).real() / two.squaredNorm();
   result.shape_difference = (one - result.gain * two).norm() / one.norm();
+  result.constant = d.real().mean();
+  const double beside = (d.array() - result.constant).matrix().norm();
+  if (d.norm() > 0.0) result.beside_constant = beside / d.norm();
   const Eigen::ArrayXd variance = (a.variance + b.variance).array();
   if (variance.size() > 0 && variance.minCoeff() > 0.0) {
     result.chi2 = (d2 / variance).mean();
@@ -159,9 +163,7 @@ std::vector<DrivingPoint> driving_points(const FrfSet& set) {
     if (same_place(set.frfs[i].response, set.frfs[i].reference)) {
       DrivingPoint point = driving_point(set, i, orientation(set.frfs[i]));
       // Where every peak is turned it is the polarity, where none is a delay.
-      const bool mixed =
-          point.wrong_peaks > 0 && point.wrong_peaks < point.peaks;
-      if (mixed) point.rather = rather(set, i);
+      if (point.mixed()) point.rather = rather(set, i);
       result.push_back(point);
     }
   }

@@ -9,7 +9,8 @@
 //
 //   driving point:  Re M(s) >= 0 for Re(s) >= 0, M = A / s the mobility
 //                   (a positive real function); Im A > 0 at every peak
-//   reciprocity:    A_ab = A_ba
+//   reciprocity:    A_ab = A_ba; A_ab = A_ba + c where the force's signal
+//                   leaks into the sensor's
 //   lowest lines:   signal/checks/low_line.hpp
 //   H1, H2:         H2 / H1 = 1 / coherence
 //
@@ -28,6 +29,9 @@
 
 namespace tapfit::signal {
 
+/// Which label of a driving point is another's.
+enum class WrongLabel { Either, Channel, Blow };
+
 struct DrivingPoint {
   std::size_t frf = 0;  ///< index into the set
   int peaks = 0;        ///< of |A|, where Im A stands out of its noise
@@ -41,6 +45,9 @@ struct DrivingPoint {
   /// FRF of the same blows, elsewhere in the set, that would pass as this
   /// driving point where this one does not: two channels may be swapped.
   std::optional<std::size_t> rather;
+  /// With `rather`: Channel, Blow where the run's sensors agree among each
+  /// other with those of other runs or do not.
+  WrongLabel wrong = WrongLabel::Either;
 
   /// Most peaks point the wrong way: the polarity of hammer or sensor is turned
   /// (or its point is another one).
@@ -48,6 +55,10 @@ struct DrivingPoint {
   /// Gives energy away at more than one line in twenty.
   [[nodiscard]] bool active() const { return active_share > 0.05; }
   [[nodiscard]] bool fair() const { return wrong_peaks == 0 && !active(); }
+  /// Some peaks point up and some down, as between two points.
+  [[nodiscard]] bool mixed() const {
+    return wrong_peaks > 0 && wrong_peaks < peaks;
+  }
 };
 
 struct Reciprocal {
@@ -62,6 +73,10 @@ struct Reciprocal {
   /// Mean of |A_ab - A_ba|^2 over their variances; about 1 for what scatter
   /// alone explains. 0 where variances are not known.
   double chi2 = 0.0;
+  /// Least-squares real constant of A_ab - A_ba, and what it leaves of that. No
+  /// structure has one that is not reciprocal: force that leaks into a channel.
+  double constant = 0.0;
+  double beside_constant = 1.0;
 
   /// Scatter explains the difference, or it is too little to matter.
   [[nodiscard]] bool fair() const {
@@ -72,6 +87,10 @@ struct Reciprocal {
   [[nodiscard]] bool by_a_factor() const {
     return shape_difference < 0.1 * std::min(difference, 1.0) ||
            shape_difference < 0.02;
+  }
+  /// A constant explains nine tenths of the difference's power, a factor less.
+  [[nodiscard]] bool by_a_constant() const {
+    return beside_constant < 0.316 && !by_a_factor();
   }
 };
 

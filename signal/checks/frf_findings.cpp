@@ -82,7 +82,7 @@ bool hammer_turned(const FrfSet& set, const std::vector<DrivingPoint>& points) {
   std::set<std::size_t> channels;
   for (const DrivingPoint& p : points) {
     if (p.peaks == 0) continue;
-    if (!p.turned()) return false;
+    if (!p.turned() || p.rather) return false;
     channels.insert(set.frfs[p.frf].channel);
   }
   return channels.size() > 1;
@@ -116,20 +116,45 @@ Finding swapped_finding(const TestBundle& bundle,
                         const DrivingPoint& point) {
   const Frf& frf = set.frfs[point.frf];
   const Frf& other = set.frfs[*point.rather];
-  return {Severity::Warning,
-          subject_of(bundle, frf),
-          fmt::format("{} is no driving point ({} of {} peaks point down, "
-                      "active at {:.0f} % of the lines), but what {} "
-                      "recorded would be one",
-                      titled(bundle, frf),
-                      point.wrong_peaks,
-                      point.peaks,
-                      100.0 * point.active_share,
-                      channel_of(bundle, other)),
-          fmt::format("{} and {} are swapped",
-                      channel_of(bundle, frf),
-                      channel_of(bundle, other)),
-          "exchange the two in test.json, or at the front end"};
+  const std::string one = channel_of(bundle, frf);
+  const std::string two = channel_of(bundle, other);
+  Finding finding;
+  finding.where = subject_of(bundle, frf);
+  finding.what = fmt::format(
+      "{} is no driving point ({} of {} peaks point down, active at {:.0f} % "
+      "of the lines), but what {} recorded would be one",
+      titled(bundle, frf),
+      point.wrong_peaks,
+      point.peaks,
+      100.0 * point.active_share,
+      two);
+  const std::string blow = fmt::format(
+      "the blow was at {}, or the file is another run's: files in "
+      "another order than `runs`",
+      name(other.response));
+  switch (point.wrong) {
+    case WrongLabel::Channel:
+      finding.severity = Severity::Error;
+      finding.likely =
+          fmt::format("{} and {} are swapped in this run", one, two);
+      finding.remedy = "exchange the two in the run's `sensors` in test.json";
+      break;
+    case WrongLabel::Blow:
+      finding.what += "; the sensors agree with those of the other runs";
+      finding.likely = blow;
+      finding.remedy =
+          "compare the order of files with the sheet, and correct `file` or "
+          "`hammer` of this run and those after it in test.json";
+      break;
+    case WrongLabel::Either:
+      finding.likely =
+          fmt::format("{} and {} are swapped, or {}", one, two, blow);
+      finding.remedy =
+          "exchange the two in test.json, or at the front end; or correct the "
+          "run's `file` or `hammer`";
+      break;
+  }
+  return finding;
 }
 
 Finding driving_point_finding(const TestBundle& bundle,
@@ -205,6 +230,22 @@ Finding differing_pair(const TestBundle& bundle,
                                "sensitivity_unit of {} and {} in test.json",
                                channel_of(bundle, a),
                                channel_of(bundle, b));
+  } else if (pair.by_a_constant()) {
+    const bool first = pair.constant > 0.0;
+    finding.what = fmt::format("{} differ by {:.3g} %: by a constant {:.3g} {}",
+                               both,
+                               100.0 * pair.difference,
+                               std::abs(pair.constant),
+                               "(m/s^2)/N, on all lines");
+    finding.likely = fmt::format(
+        "the hammer's signal leaks into that of {} ({} with the opposite "
+        "sign): "
+        "crosstalk of cables or channels",
+        channel_of(bundle, first ? a : b),
+        channel_of(bundle, first ? b : a));
+    finding.remedy =
+        "lay the cables apart and ground them at one end; a tap on another "
+        "structure shows what is left of it";
   } else {
     finding.what = fmt::format("{} differ by {:.3g} %, whatever the factor",
                                both,

@@ -21,8 +21,9 @@
 #include "signal/checks/delay_findings.hpp"
 #include "signal/checks/exchanged_labels.hpp"
 #include "signal/checks/frf_findings.hpp"
-#include "updating/session/weighed_mass.hpp"
 #include "updating/structure/assembly/assemble.hpp"
+#include "updating/test_check/body_mass.hpp"
+#include "updating/test_check/wrong_labels.hpp"
 
 #include <fmt/format.h>
 
@@ -35,9 +36,6 @@ namespace tapfit::updating {
 namespace {
 
 using acquisition::TestBundle;
-
-// The deck is what is doubted: it may lack a mass, or a part.
-constexpr double deck_mass_share = 0.5;
 
 Finding as_finding(const InputError& error, Subject where) {
   return {Severity::Error,
@@ -61,12 +59,13 @@ class Checker {
   TestCheck check() {
     input();
     points();
-    weight();
+    body_.emplace(session_.bundle(), body_kg_, deck_mass());
     if (session_.bundle().modes) {
       given_modes();
     } else if (session_.bundle().frfs || records()) {
       frfs();
     }
+    add(body_->findings());
     sort_by_severity(found_.findings);
     return std::move(found_);
   }
@@ -103,13 +102,6 @@ class Checker {
     reached([&] { found_.placed = session_.deck(progress_).measuring.size(); });
   }
 
-  void weight() {
-    if (!session_.bundle().weighed) return;
-    if (auto off = weighed_mass_finding(session_.bundle(), deck_mass())) {
-      add({std::move(*off)});
-    }
-  }
-
   // Adds what is thrown as a finding.
   bool reached(const std::function<void()>& stage) {
     try {
@@ -144,7 +136,7 @@ class Checker {
     if (!hit || exchanged_.size() == bundle.runs.size()) return false;
     add(hits.findings);
     add(acquisition::jump_findings(bundle, recordings, hits));
-    add(acquisition::tone_findings(bundle, recordings, hits));
+    add_tones(acquisition::tone_findings(bundle, recordings, hits));
     add(acquisition::trigger_findings(bundle, recordings, hits));
     add(acquisition::tip_change_findings(bundle, hits));
     add(acquisition::rejected_hit_findings(bundle, recordings, hits));
@@ -154,6 +146,27 @@ class Checker {
     coherence();
     return std::ranges::any_of(hits.runs, [](const auto& run) {
       return std::ranges::any_of(run, &acquisition::Hit::accepted);
+    });
+  }
+
+  void add_tones(std::vector<Finding> found) {
+    for (const Finding& of : found) {
+      if (of.severity >= Severity::Warning) toned_.insert(of.where.channel);
+    }
+    add(std::move(found));
+  }
+
+  [[nodiscard]] bool is_toned(const signal::Frf& frf) const {
+    return toned_.contains(channel_of(session_.bundle(), frf));
+  }
+
+  // A tone is in each run by another phase, as if a sensor had moved.
+  [[nodiscard]] bool may_be_a_tone(const Finding& of) const {
+    return std::ranges::any_of(of.where.runs, [this](std::size_t r) {
+      const acquisition::TestBundle& bundle = session_.bundle();
+      return std::ranges::any_of(bundle.runs[r].sensors, [&](const auto& s) {
+        return toned_.contains(bundle.channels[s.channel].name);
+      });
     });
   }
 
@@ -210,6 +223,10 @@ class Checker {
     if (!reached([&] { (void)session_.frfs(progress_); })) return;
     const signal::FrfSet& set = session_.frfs();
     found_.points = signal::driving_points(set);
+    // A tone is a peak of any phase.
+    for (signal::DrivingPoint& point : found_.points) {
+      if (is_toned(set.frfs[point.frf])) point.rather.reset();
+    }
     found_.pairs = signal::reciprocals(set);
     const std::vector<Finding> kinds = modes();
     std::set<std::string> other_kind;
@@ -228,13 +245,18 @@ class Checker {
     const TestBundle& bundle = session_.bundle();
     const signal::FrfSet& set = session_.frfs();
     const auto exchanges = signal::exchanged_labels(set, found_.pairs);
-    const auto explained = [&](std::size_t f) {
+    const auto exchanged = [&](std::size_t f) {
       return std::ranges::any_of(exchanges, [&](const auto& exchange) {
         return is_of(exchange, set.frfs[f]);
       });
     };
+    const auto explained = [&](std::size_t f) {
+      return labels_.channels.contains(set.frfs[f].run) || exchanged(f);
+    };
     std::vector<signal::DrivingPoint> points = found_.points;
-    std::erase_if(points, [&](const auto& p) { return explained(p.frf); });
+    std::erase_if(points, [&](const auto& p) {
+      return exchanged(p.frf) || (p.mixed() && is_toned(set.frfs[p.frf]));
+    });
     // A channel of another kind has no fair driving point either.
     for (Finding& finding : driving_point_findings(bundle, set, points)) {
       if (other_kind.contains(finding.where.channel)) continue;
@@ -265,17 +287,29 @@ class Checker {
       return of.severity == Severity::Error && has_two_delays(of.where.runs);
     });
     add(std::move(poles));
-    for (Finding& finding : run_residue_findings(bundle, set, modes)) {
+    std::vector<Finding> residues = run_residue_findings(bundle, set, modes);
+    labels_ = wrong_labels(bundle, set, residues, found_.points);
+    for (Finding& finding : without_exchanged(std::move(residues), labels_)) {
       // Runs that are no part of the test have patterns of their own.
       const bool said = !finding.where.runs.empty() &&
                         std::ranges::all_of(
                             finding.where.runs,
                             [&](std::size_t r) { return foreign.contains(r); });
-      if (!said) add({std::move(finding)});
+      if (said) continue;
+      if (may_be_a_tone(finding)) {
+        finding.severity = Severity::Warning;
+        finding.likely += "; or it is the steady tone of a sensor there";
+      }
+      add({std::move(finding)});
     }
-    add(modal_mass_findings(bundle, set, modes, mass().value_or(0.0)));
+    body_->compare_with(set, modes, found_.points);
+    add(modal_mass_findings(bundle, set, modes, body_->kg()));
     add(modal::stated_mass_findings(bundle, modes.shifts));
-    std::vector<Finding> kinds = motion_kind_findings(bundle, set, modes);
+    // Told by driving points, which are none where blows are mislabelled.
+    std::vector<Finding> kinds;
+    if (labels_.blows.empty()) {
+      kinds = motion_kind_findings(bundle, set, modes);
+    }
     std::set<std::string> told;
     for (const Finding& kind : kinds) told.insert(kind.where.channel);
     for (Finding& finding : channel_phase_findings(bundle, set, modes)) {
@@ -290,52 +324,33 @@ class Checker {
     return kinds;
   }
 
-  // As said, as weighed with the sensors, or as the deck has it [kg].
-  std::optional<double> mass() {
-    if (body_kg_) return body_kg_;
-    if (const auto weighed = weighed_with_sensors()) return weighed;
-    if (!session_.bundle().deck) return {};
-    return deck_mass();
-  }
-
   // 0 where it is not known [kg].
   double deck_mass() {
-    if (deck_kg_ || !session_.bundle().deck) return deck_kg_.value_or(0.0);
+    if (!session_.bundle().deck) return 0.0;
     try {
       const structure::Deck& deck = session_.deck(progress_);
-      deck_kg_ = total_mass(deck, structure::assemble(deck));
+      return total_mass(deck, structure::assemble(deck));
     } catch (const InputError&) {
-      deck_kg_ = 0.0;  // what is wrong with the deck is said elsewhere
+      return 0.0;  // what is wrong with the deck is said elsewhere
     }
-    return *deck_kg_;
-  }
-
-  std::optional<double> weighed_with_sensors() const {
-    const TestBundle& bundle = session_.bundle();
-    if (!bundle.weighed) return {};
-    double sum = bundle.weighed->mass_kg;
-    for (const acquisition::Channel& channel : bundle.channels) {
-      sum += channel.mass_kg.value_or(0.0);
-    }
-    return sum;
   }
 
   void masses() {
-    const std::optional<double> kg = mass();
-    if (!kg || !(*kg > 0.0)) return;
-    const bool known = body_kg_ || session_.bundle().weighed;
+    if (!(body_->kg() > 0.0)) return;
     add(mass_line_findings(session_.bundle(),
                            session_.frfs(),
                            found_.points,
-                           *kg,
-                           known ? 0.02 : deck_mass_share));
+                           body_->kg(),
+                           body_->tolerance()));
   }
 
   Session& session_;
   std::optional<double> body_kg_;
   const Progress& progress_;
-  std::optional<double> deck_kg_;
+  std::optional<BodyMass> body_;
   std::set<std::size_t> exchanged_;  // runs whose hammer is another channel
+  std::set<std::string> toned_;      // channels with a tone that matters
+  WrongLabels labels_;
   std::set<signal::HitAt> late_;  // or early, against most of their placement
   TestCheck found_;
 };

@@ -110,6 +110,21 @@ TEST(FrfFindings, AFactorOfAUnitIsNamedAsOne) {
   EXPECT_FALSE(says(all.both_ways, "tapfit calibrate"));
 }
 
+// A_12 = A_21 + c, c what the force leaves in acc's channel.
+TEST(FrfFindings, ForceThatLeaksIntoASensorIsAConstant) {
+  constexpr double leaks = 2.0;  // [(m/s^2)/N]; the beam of 2 kg has 0.5
+  GeneratedTest test = generate_structure(hung_beam(), noisy(3));
+  for (auto& recording : test.recordings) {
+    recording.samples.col(2) += leaks * recording.samples.col(0);
+  }
+  const Looked all = look(test);
+  ASSERT_EQ(all.pairs.size(), 1U);
+  EXPECT_NEAR(std::abs(all.pairs[0].constant), leaks, 0.05 * leaks);
+  EXPECT_TRUE(says(all.both_ways, "leaks into that of acc2"))
+      << text(all.both_ways);
+  EXPECT_FALSE(says(all.both_ways, "another one than written down"));
+}
+
 TEST(FrfFindings, SwappedChannelsShowAtTheDrivingPoints) {
   GeneratedTest test = generate_structure(hung_beam(), noisy(4));
   for (auto& recording : test.recordings) {

@@ -1,6 +1,7 @@
 // One mistake at a time in tests that are otherwise clean, and clean ones.
 #include "updating/test_check/test_check.hpp"
 
+#include "acquisition/foundation/constants.hpp"
 #include "tests/acquisition/support/temporary_folder.hpp"
 #include "tests/updating/support/check_score.hpp"
 #include "tests/updating/support/test_mistakes.hpp"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -122,6 +124,92 @@ TEST(TestCheck, WhatAnExchangeExplainsIsSaidOnce) {
     ASSERT_EQ(errors.size(), 1U) << testing::serious(found.findings);
     EXPECT_NE(errors[0].likely.find("exchanged"), std::string::npos);
   }
+}
+
+/// A beam of which three sensors' points are hit.
+SheetAndRecords driven_beam(unsigned seed) {
+  return plain_test(drawn(seed, testing::Structure::FreeBeam, 3, 8, 1.0));
+}
+
+/// Runs whose blow is at a sensor.
+std::vector<std::size_t> driven_runs(const SheetAndRecords& test) {
+  std::vector<std::size_t> runs;
+  for (std::size_t r = 0; r < test.bundle.runs.size(); ++r) {
+    const acquisition::Run& run = test.bundle.runs[r];
+    const bool driven = std::ranges::any_of(run.sensors, [&](const auto& s) {
+      return s.dof.node == run.hammer.dof.node;
+    });
+    if (driven) runs.push_back(r);
+  }
+  return runs;
+}
+
+/// Errors that are there, and how many of them hold the words.
+struct Said {
+  std::size_t errors = 0;
+  std::size_t with_words = 0;
+};
+
+Said errors_with(const TestCheck& found, const char* words) {
+  const auto errors = of_severity(found.findings, Severity::Error);
+  const auto with_words = std::ranges::count_if(errors, [&](const Finding& f) {
+    return in_full(f).find(words) != std::string::npos;
+  });
+  return {errors.size(), static_cast<std::size_t>(with_words)};
+}
+
+// Else the sensors seem to have moved in that run.
+TEST(TestCheck, AnExchangeInOneRunIsNoMovedSensor) {
+  SheetAndRecords test = driven_beam(7);
+  const std::vector<std::size_t> runs = driven_runs(test);
+  ASSERT_FALSE(runs.empty());
+  const acquisition::Run& run = test.bundle.runs[runs.front()];
+  Eigen::MatrixXd& x = test.recordings[runs.front()].samples;
+  // With the one that is hit.
+  const auto hit = std::ranges::find_if(run.sensors, [&](const auto& s) {
+    return s.dof.node == run.hammer.dof.node;
+  });
+  const auto other = hit == run.sensors.begin() ? hit + 1 : hit - 1;
+  x.col(static_cast<Eigen::Index>(hit->channel))
+      .swap(x.col(static_cast<Eigen::Index>(other->channel)));
+  const TestCheck found = testing::check_of(test);
+  const Said said = errors_with(found, "are swapped in this run");
+  EXPECT_EQ(said.with_words, 1U) << testing::serious(found.findings);
+  EXPECT_EQ(said.errors, 1U) << testing::serious(found.findings);
+}
+
+TEST(TestCheck, FilesInAnotherOrderAreNoOtherQuantity) {
+  SheetAndRecords test = driven_beam(7);
+  std::ranges::rotate(test.recordings, test.recordings.begin() + 1);
+  const TestCheck found = testing::check_of(test);
+  const std::string all = testing::serious(found.findings);
+  EXPECT_NE(all.find("; the sensors agree with those of the other runs: the "
+                     "blow was at 2Z+, or the file is another run's"),
+            std::string::npos)
+      << all;
+  EXPECT_EQ(all.find("swapped"), std::string::npos) << all;
+  EXPECT_EQ(all.find("displacement"), std::string::npos) << all;
+  EXPECT_EQ(all.find("in this run"), std::string::npos) << all;
+}
+
+TEST(TestCheck, AToneIsSaidBeforeWhatItMakes) {
+  SheetAndRecords test = driven_beam(7);
+  for (std::size_t r = 0; r < test.recordings.size(); ++r) {
+    acquisition::Recording& recording = test.recordings[r];
+    auto x = recording.samples.col(1);
+    const double size = 0.05 * x.cwiseAbs().maxCoeff();
+    for (Eigen::Index k = 0; k < x.size(); ++k) {
+      const double t = static_cast<double>(k) / recording.sample_rate_hz;
+      x(k) += size * std::sin(two_pi * 50.0 * t + 1.7 * static_cast<double>(r));
+    }
+  }
+  const TestCheck found = testing::check_of(test);
+  const std::string all = testing::serious(found.findings);
+  EXPECT_TRUE(found.may_go_on()) << all;
+  ASSERT_FALSE(found.findings.empty());
+  EXPECT_NE(found.findings.front().what.find("steady tone of 50 Hz"),
+            std::string::npos)
+      << all;
 }
 
 TEST(TestCheck, AFileOfAnotherRateIsNamedWithoutACause) {
