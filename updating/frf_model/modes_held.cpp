@@ -26,13 +26,16 @@ constexpr double next_to_rigid = 1e-6;
 // Of the longest row: rounding in the place of what cannot move.
 constexpr double cannot_move = 1e-9;
 
-MatrixXd rows_that_move(const MatrixXd& rows) {
-  const VectorXd length = rows.rowwise().norm();
+// Each as long as the band moves it: a base ends with motions far above it,
+// which turn its grids a lot.
+// @param share of each mode in that
+MatrixXd rows_that_move(const MatrixXd& rows, const VectorXd& share) {
+  const VectorXd length = (rows * share.asDiagonal()).rowwise().norm();
   std::vector<Index> moving;
   for (Index k = 0; k < rows.rows(); ++k) {
     if (length(k) > cannot_move * length.maxCoeff()) moving.push_back(k);
   }
-  return rows(moving, Eigen::all).rowwise().normalized();
+  return length(moving).cwiseInverse().asDiagonal() * rows(moving, Eigen::all);
 }
 
 // R for the patterns, from their displacements and rotations in each mode.
@@ -55,14 +58,14 @@ MatrixXd flexibility_above(const MatrixXd& moved,
 }  // namespace
 
 BaseModes modes_held(const BaseModes& modes, const HeldRows& rows, double top) {
-  const MatrixXd moved = rows_that_move(rows.moved * modes.phi);
-  const MatrixXd turned = rows_that_move(rows.turned * modes.phi);
-  if (moved.rows() + turned.rows() == 0) return modes;
-  const MatrixXd of_moved = moved.transpose() * moved;
-  const MatrixXd of_turned = turned.transpose() * turned;
   const VectorXd w2 = modes.omega.cwiseAbs2();
   const VectorXd soft = w2.cwiseMax(top * top).cwiseInverse();
   const VectorXd share = top * top * soft;
+  const MatrixXd moved = rows_that_move(rows.moved * modes.phi, share);
+  const MatrixXd turned = rows_that_move(rows.turned * modes.phi, share);
+  if (moved.rows() + turned.rows() == 0) return modes;
+  const MatrixXd of_moved = moved.transpose() * moved;
+  const MatrixXd of_turned = turned.transpose() * turned;
   // rows diag(share) = U s V': held are the columns of U.
   const MatrixXd by_band =
       share.asDiagonal() * (of_moved + of_turned) * share.asDiagonal();

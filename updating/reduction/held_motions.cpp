@@ -29,10 +29,25 @@ constexpr double next_to_none = 1e-9;
 // displacements are some hundreds or thousands of each other.
 constexpr double at_rest = 1e-12;
 
+double top_square(const HeldBase& base) {
+  return std::pow(2.0 * M_PI * base.high_hz, 2);
+}
+
 // By how much of each vector the band's modes move.
 VectorXd shares_in_band(const HeldBase& base) {
-  const double top = std::pow(2.0 * M_PI * base.high_hz, 2);
+  const double top = top_square(base);
   return (top / base.K.array().cwiseMax(top)).matrix();
+}
+
+// F - M V_1 V_1' F.
+MatrixXd beside_modes(const HeldBase& base, MatrixXd forces) {
+  std::vector<Index> soft;
+  for (Index k = 0; k < base.V.cols(); ++k) {
+    if (base.K(k) < top_square(base)) soft.push_back(k);
+  }
+  const MatrixXd V = base.V(Eigen::all, soft);
+  forces.noalias() -= base.system.M * (V * (V.transpose() * forces));
+  return forces;
 }
 
 }  // namespace
@@ -59,7 +74,13 @@ MatrixXd held_modes(const HeldBase& base, const std::vector<int>& dofs) {
   const Index kept =
       (e.array() > least_pattern * least_pattern * e.maxCoeff()).count();
   const MatrixXd lead = psi * (F * energy.eigenvectors().rightCols(kept));
-  return join({psi, base.answers.to(MatrixXd(base.system.M * lead))});
+  MatrixXd forces = MatrixXd::Zero(base.V.rows(), std::ssize(moving));
+  for (std::size_t k = 0; k < moving.size(); ++k) {
+    forces(moving[k], static_cast<Index>(k)) = 1.0;
+  }
+  return join(
+      {base.answers.to(beside_modes(base, forces)),
+       base.answers.to(beside_modes(base, MatrixXd(base.system.M * lead)))});
 }
 
 MatrixXd motions_without(const MatrixXd& rows) {

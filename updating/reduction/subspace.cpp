@@ -92,12 +92,10 @@ MatrixXd m_orthogonal_complement(const BorderedMatrix& M,
   }
   if (static_cast<Index>(kept.size()) < R.cols()) {
     R = MatrixXd(R(Eigen::all, kept));
-    MR = MatrixXd(MR(Eigen::all, kept));
   }
-  // What the second pass took off R since is in V's span, to which R is
-  // orthogonal: R' MR is as if taken now. Down to its rounding: what turns
-  // grids that have next to no mass is a small share of all columns, and yet a
-  // mode may hang on it.
+  // Down to rounding: what turns grids that have next to no mass is a small
+  // share of all columns, and yet a mode may hang on it.
+  MR = symmetric_product(M, R);
   return orthonormal(M, std::move(R), MR, 1e-14);
 }
 

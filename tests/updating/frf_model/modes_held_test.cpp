@@ -4,6 +4,7 @@
 
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
+#include "tests/updating/support/twisting_frame.hpp"
 #include "updating/frf_model/frf_model.hpp"
 #include "updating/reduction/reduced_base.hpp"
 
@@ -103,6 +104,27 @@ TEST(ModesHeld, OfABeamAreThoseOfOneHeldAtBothEnds) {
 TEST(ModesHeld, OfABeamAreThoseOfOneOnHinges) {
   using std::numbers::pi;
   expect_roots({0, 40}, "3", {pi, 2.0 * pi, 3.0 * pi}, 0.01);
+}
+
+// The base ends with motions at a million hertz that turn the clamped grid a
+// lot: they are none of what the band turns there.
+TEST(ModesHeld, OfAFrameThatTwistsAreThoseOfADeckThatHoldsIt) {
+  BaseOptions options;
+  options.high_hz = 700.0;
+  options.points = {20, 32, 44, 68};
+  const auto base_of = [&options](bool clamped) {
+    return BaseBuilder(
+               testing::twisting_frame(clamped), {}, options, Progress{})
+        .build({}, {});
+  };
+  const ReducedBase base = base_of(false);
+  const BaseModes held = modes_held(own_modes(base),
+                                    held_in(base, {0}, "123456"),
+                                    two_pi_of * options.high_hz);
+  const VectorXd clamped = own_modes(base_of(true)).omega;
+  for (Index k = 0; k < 6; ++k) {
+    EXPECT_NEAR(held.omega(k) / clamped(k), 1.0, 0.1) << k;
+  }
 }
 
 // The sample plate, held by its deck and held through the free one's modes.
@@ -227,7 +249,7 @@ TEST_F(HeldPlate, AnswersAsTheDeckThatHoldsIt) {
   // A clamp's modes are off by up to 3 %, half the width of a peak here; those
   // on a hinge, which turn freely, by a few thousandths.
   for (const auto& [which, most] :
-       {std::pair{0U, 0.25}, std::pair{2U, 0.05}, std::pair{7U, 0.35}}) {
+       {std::pair{0U, 0.3}, std::pair{2U, 0.05}, std::pair{7U, 0.35}}) {
     const Held& held = all_held()[which];
     EXPECT_LT(error(frfs(through_the_free_one(held.nodes, held.components)),
                     frfs(solved(held.nodes, held.components))),

@@ -4,6 +4,7 @@
 
 #include "tests/updating/support/deck_support.hpp"
 #include "tests/updating/support/sample_plate.hpp"
+#include "tests/updating/support/twisting_frame.hpp"
 #include "updating/reduction/reduced_base.hpp"
 
 #include <Eigen/Eigenvalues>
@@ -108,6 +109,27 @@ TEST_F(HeldBeam, AlongOneAxisAtOneEndStillSwings) {
       frequencies(builder_->build({}, {holding({1}, "held-Z")}));
   EXPECT_LT(hz(0), 1e-3 * hz(1));
   expect_roots(holding({1, 21}, "held-Z"), {std::numbers::pi});
+}
+
+// The first leg twists by the force alone that holds it.
+TEST(HeldMotions, OfAFrameThatTwistsAreThoseOfADeckThatHoldsIt) {
+  for (const auto& points :
+       {std::vector<int>{44, 68}, std::vector<int>{20, 32, 44, 68}}) {
+    const auto base_of =
+        [&points](bool clamped, const std::vector<StiffnessChange>& changes) {
+          BaseOptions options;
+          options.high_hz = 700.0;
+          options.points = points;
+          const BaseBuilder builder(
+              testing::twisting_frame(clamped), {}, options, Progress{});
+          return frequencies(builder.build({}, changes, BaseUse::Scan));
+        };
+    const VectorXd clamped = base_of(true, {});
+    const VectorXd found = base_of(false, {holding({1}, "held")});
+    for (Eigen::Index k = 0; k < 5; ++k) {
+      EXPECT_NEAR(found(k) / clamped(k), 1.0, 1e-5) << k;
+    }
+  }
 }
 
 // The deck of a plate that is clamped, and that of the same plate free and held
