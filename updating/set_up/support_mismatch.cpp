@@ -16,6 +16,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace tapfit::effects {
@@ -88,6 +89,21 @@ std::vector<Location> places_held(const structure::Deck& deck) {
   return result;
 }
 
+// Of what the deck holds in part, as on a hinge: all of it, where that is no
+// more than half of the structure.
+std::vector<Location> places_held_more(const structure::Deck& deck) {
+  std::vector<Location> result;
+  for (const std::vector<int>& nodes : updating::support_choices(deck)) {
+    Location where{.nodes = nodes, .variant = clamp};
+    const bool few = 2 * nodes.size() <= deck.grids.size();
+    if (few && has_turns(deck, nodes) &&
+        !updating::newly_held(deck, where).empty()) {
+      result.push_back(std::move(where));
+    }
+  }
+  return result;
+}
+
 std::vector<std::string> mismatch_variants() {
   std::vector<std::string> all = updating::freed_variants();
   all.insert(all.end(), {clamp, hinge});
@@ -124,15 +140,18 @@ class SupportMismatch final : public Effect {
   }
 
   // All supports, then each connected group of constrained grids, free, free to
-  // turn, and free to move along each axis; those that hold anything so. Of a
-  // deck that nothing holds each of clamp_places(), held and held as by a
-  // hinge: that a structure is held elsewhere than in its deck, besides, is
-  // tried by name.
+  // turn, and free to move along each axis; those that hold anything so; and
+  // held wholly, those that hold in part. Of a deck that nothing holds each of
+  // clamp_places(), held and held as by a hinge: that a structure is held
+  // elsewhere than in its deck, besides, is tried by name.
   std::vector<Location> places(const TestContext& context) const override {
     if (context.deck == nullptr) return {};
     std::vector<Location> supports =
         places_freed(context, updating::freed_variants());
-    return supports.empty() ? places_held(*context.deck) : supports;
+    if (supports.empty()) return places_held(*context.deck);
+    std::ranges::move(places_held_more(*context.deck),
+                      std::back_inserter(supports));
+    return supports;
   }
 
   std::vector<structure::Constraint> released(

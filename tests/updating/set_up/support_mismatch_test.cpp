@@ -111,10 +111,19 @@ TEST_F(MissingSupport, IsLookedForAlongEdgesAndAtCorners) {
   EXPECT_TRUE(support_mismatch().released(root_, free_setting()).empty());
 }
 
-TEST_F(MissingSupport, IsNotLookedForWhereTheDeckIsHeld) {
+// What the deck holds in part may be held wholly, as a clamp that is a hinge in
+// the deck.
+TEST_F(MissingSupport, IsLookedForWhereTheDeckHoldsInPart) {
   free_.constraints.push_back({55, "3"});
-  const std::vector<Location> places =
-      support_mismatch().places(free_setting());
+  std::vector<Location> places = support_mismatch().places(free_setting());
+  EXPECT_GT(places.size(), 1U);
+  EXPECT_EQ(std::ranges::count_if(places, updating::is_held), 1);
+  Location corner;
+  corner.nodes = {55};
+  corner.variant = "held";
+  EXPECT_EQ(std::ranges::count(places, corner), 1);
+  free_.constraints.back().components = "123456";
+  places = support_mismatch().places(free_setting());
   EXPECT_FALSE(places.empty());
   EXPECT_TRUE(std::ranges::none_of(places, updating::is_held));
 }
