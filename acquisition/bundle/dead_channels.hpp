@@ -33,7 +33,7 @@ class DeadChannels {
   const TestBundle& bundle_;
   const Run& run_;
   std::vector<Unchanged> unchanged_;  ///< the hammer first, then the sensors
-  Eigen::Index count_ = 0;  ///< of samples seen
+  Eigen::Index count_ = 0;            ///< of samples seen
 };
 
 }  // namespace tapfit::acquisition
