@@ -45,8 +45,8 @@ struct DrivingPoint {
   /// FRF of the same blows, elsewhere in the set, that would pass as this
   /// driving point where this one does not: two channels may be swapped.
   std::optional<std::size_t> rather;
-  /// With `rather`: Channel, Blow where the run's sensors agree among each
-  /// other with those of other runs or do not.
+  /// With `rather`: Blow where the run's sensors agree with those of other
+  /// runs, Channel where they do not, Either where that is not known.
   WrongLabel wrong = WrongLabel::Either;
 
   /// Most peaks point the wrong way: the polarity of hammer or sensor is turned

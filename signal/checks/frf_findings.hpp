@@ -39,12 +39,6 @@ namespace tapfit::signal {
     const FrfSet& set,
     const std::vector<DrivingPoint>& points);
 
-/// Pairs that differ: by sign, by a factor alone, or in shape.
-[[nodiscard]] std::vector<Finding> reciprocity_findings(
-    const acquisition::TestBundle& bundle,
-    const FrfSet& set,
-    const std::vector<Reciprocal>& pairs);
-
 /// FRFs whose H2 lies more than 10 % over H1 at a peak; the worst is named.
 [[nodiscard]] std::vector<Finding> spread_findings(const FrfSet& set);
 

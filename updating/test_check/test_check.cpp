@@ -21,6 +21,7 @@
 #include "signal/checks/delay_findings.hpp"
 #include "signal/checks/exchanged_labels.hpp"
 #include "signal/checks/frf_findings.hpp"
+#include "signal/checks/reciprocity_findings.hpp"
 #include "updating/structure/assembly/assemble.hpp"
 #include "updating/test_check/body_mass.hpp"
 #include "updating/test_check/wrong_labels.hpp"

@@ -2,6 +2,7 @@
 #include "signal/checks/frf_findings.hpp"
 
 #include "signal/checks/calibration_findings.hpp"
+#include "signal/checks/reciprocity_findings.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
 #include "tests/signal/support/generated_structure.hpp"
 

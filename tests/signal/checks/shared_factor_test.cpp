@@ -1,6 +1,7 @@
 #include "signal/checks/shared_factor.hpp"
 
 #include "signal/checks/frf_findings.hpp"
+#include "signal/checks/reciprocity_findings.hpp"
 #include "signal/estimate/estimate_frfs.hpp"
 #include "tests/signal/support/generated_structure.hpp"
 

@@ -112,6 +112,9 @@ TEST(TestCheck, OneChangeOfARangeIsOneFinding) {
   EXPECT_EQ(errors[0].where.runs, (std::vector<std::size_t>{0, 1, 2}));
   EXPECT_NE(errors[0].what.find("from run 4 on"), std::string::npos)
       << errors[0].what;
+  // Of two sensors either may have been changed.
+  EXPECT_NE(errors[0].remedy.find("(or acc"), std::string::npos)
+      << errors[0].remedy;
 }
 
 // Hits found in a response say nothing of trigger, cables and structure.
@@ -210,6 +213,17 @@ TEST(TestCheck, AToneIsSaidBeforeWhatItMakes) {
   EXPECT_NE(found.findings.front().what.find("steady tone of 50 Hz"),
             std::string::npos)
       << all;
+}
+
+TEST(TestCheck, ThatNoRunCanBeUsedIsSaid) {
+  SheetAndRecords test = clean_test(3);
+  for (auto& r : test.recordings) r.samples.col(0).setZero();
+  const std::string dead = testing::serious(testing::check_of(test).findings);
+  EXPECT_NE(dead.find("and so in each of the 8 runs"), std::string::npos)
+      << dead;
+  for (auto& r : test.recordings) r.samples = r.samples.topRows(1).eval();
+  const std::string cut = testing::serious(testing::check_of(test).findings);
+  EXPECT_NE(cut.find("one sample long"), std::string::npos) << cut;
 }
 
 TEST(TestCheck, AFileOfAnotherRateIsNamedWithoutACause) {
